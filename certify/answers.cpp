@@ -251,7 +251,7 @@ std::vector<std::string> judge_all(const std::vector<Suite>& suites, const Setti
 std::vector<std::string> judge_differing(const std::vector<Suite>& suites, const Settings& settings,
                                          const KeptAnswers& kept,
                                          const std::vector<std::vector<bool>>& differing) {
-  bool sure = false;  // some row breaks, whatever comes
+  bool sure = false;  // a guarantee is certain to break
   std::map<std::pair<std::size_t, const Method*>, std::size_t> stalls;
   Settings some = settings;
   some.times_casts = false;

@@ -22,7 +22,7 @@ namespace graze::tool {
 // Answers with equal bits have equal digests. Two different answers have the same digest with probability 2^-64.
 [[nodiscard]] std::uint64_t digest_of(const engine::Answer& answer);
 
-// A method's answers to a case, and what came of them.
+// A method's answers to a case, and the result of their judgement.
 struct KeptAnswer {
   enum class State : char { not_judged = '-', kept = '.', stalled = 's' };
   std::uint64_t digest = 0;  // covers all requests in turn, 0 if the method is not asked
@@ -43,12 +43,12 @@ class KeptAnswers {
   [[nodiscard]] const std::vector<KeptAnswer>& of(std::size_t suite, const engine::Method& method) const;
   [[nodiscard]] std::vector<KeptAnswer>& of(std::size_t suite, const engine::Method& method);
 
-  // The cases of the suites, true where a method of these answers has another digest than it has in `kept`.
-  // Throws std::runtime_error where `kept` is not of these suites or lacks a method.
+  // The cases of the suites, true if a method of these answers has another digest than in `kept`. Throws
+  // std::runtime_error if `kept` belongs to other suites or lacks a method.
   [[nodiscard]] std::vector<std::vector<bool>> differ_from(const KeptAnswers& kept) const;
 
   void write(std::ostream& out) const;
-  // Throws std::runtime_error for what write() has not written.
+  // Throws std::runtime_error for input that write() has not written.
   static KeptAnswers read(std::istream& in);
 
  private:
@@ -56,12 +56,12 @@ class KeptAnswers {
   std::map<Key, std::vector<KeptAnswer>> answers_;
 };
 
-// Judges everything, and keeps what came of it in `answers`. Returns the rows that break.
+// Judges everything, and keeps the results in `answers`. Returns the guarantees that break.
 [[nodiscard]] std::vector<std::string> judge_all(const std::vector<Suite>& suites, const Settings& settings,
                                                  KeptAnswers& answers);
 
-// The rows that break, found by judging the cases that differ from `kept` alone, up to the first that is sure to
-// break.
+// The guarantees that break, found by judging only the cases that differ from `kept`, up to the first that is certain
+// to break.
 [[nodiscard]] std::vector<std::string> judge_differing(const std::vector<Suite>& suites,
                                                        const Settings& settings, const KeptAnswers& kept,
                                                        const std::vector<std::vector<bool>>& differing);

@@ -17,7 +17,7 @@ struct Counts {
 };
 inline constexpr Counts kUsual = {512, 12, 20}, kThorough = {4000, 60, 100};
 
-// The exact oracle measures every so many generated linear casts, beside what it must decide.
+// The exact oracle measures one generated linear cast in this number, in addition to those that it must decide.
 inline constexpr std::size_t kOracleEvery = 20;
 
 // A suite of each family, after those that are there.

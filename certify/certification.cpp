@@ -37,7 +37,7 @@ std::uint64_t cost_of(Kind kind) { return kind == Kind::linear ? 1 : kind == Kin
 
 // One method's answers to one case.
 struct Judged {
-  std::optional<Case> asked = {};  // nothing: no question for the method
+  std::optional<Case> asked = {};  // empty if it is not a question for the method
   Judgement judgement = {};
   double true_backward = std::numeric_limits<double>::quiet_NaN();
   bool beyond_limits = false;  // the case exceeds a documented limit of a third-party engine
@@ -53,7 +53,7 @@ bool is_refusal(const Judgement& judgement) {
   return judgement.outcome == Outcome::invalid_input && !judgement.faulty();
 }
 
-// Why a case is no question for a method.
+// The reason why a case is not a question for a method.
 std::string why_unasked(const Method& method, const Case& asked) {
   if (std::string why = law::why_invalid(asked); !why.empty()) return "it has " + why;
   if (!method.is_ours()) return method.refuses(asked);

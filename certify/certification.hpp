@@ -36,9 +36,10 @@ struct Certification {
   // Answers of third-party engines to cases beyond their documented limits, by method, in the order of the settings.
   // They are not part of the tallies by suite and do not affect the verdict.
   std::vector<Tally> beyond_limits = {};
-  std::vector<std::string> breaches = {};  // empty: every method keeps its row
+  std::vector<std::string> breaches = {};  // empty if every method keeps its guarantee
   std::vector<std::string> declined = {};  // engines that decline more than kMostDeclined of their questions
-  std::vector<corpus::Case> convicted = {};  // as asked, each once, where some method is at fault or stalls
+  std::vector<corpus::Case> convicted = {};  // as asked, each once, if a method is at fault or did not
+                                             // converge
   std::size_t answers = 0, answered = 0;     // judged answers, and the number of cases they belong to
   std::size_t questions = 0;                 // cases of suites that some method was to be asked about
   std::string unasked = {};                  // the first that a method was not asked, or refused, and why

@@ -97,7 +97,7 @@ void make_small(EngineFinding& finding, const DetailedFault& fault, int budget, 
     const std::optional<Judgement> judgement = judged(*finding.method, problem);
     return judgement ? why_of(fault, *judgement) : "";
   };
-  // A body with an inside keeps one: what is found between solids is shown between solids.
+  // A body with an inside keeps one. A finding between solids is thus shown between solids.
   const bool solid_a = law::is_solid(finding.problem.a.shape),
              solid_b = law::is_solid(finding.problem.b.shape);
   const auto keeps_solids = [&](const Case& c) {

@@ -37,7 +37,7 @@ void add_breach(Breaches& breaches, LawBreach one) {
   kept.times = times;
 }
 
-// One of ours, or of others, which are numbered after them.
+// A method of ours, or of a third party. The latter are numbered after ours.
 const engine::Method& method_of(const Law& law, std::size_t number, const LawSettings& settings) {
   const std::size_t ours = law.methods().size();
   return number < ours ? law.methods()[number] : settings.others[number - ours];
@@ -124,7 +124,7 @@ LawCertification certify_laws(std::span<const LawSuite> suites, const LawSetting
       if (settings.stop()) return;
       ++seen_cases;
       const corpus::Case problem = one.suite.at(i);
-      // All laws on one case, then the next: they share what the oracle said about it.
+      // Runs all laws on one case, then the next, so that they share the oracle's results.
       for (std::size_t l = 0; l < settings.laws.size(); ++l) {
         const Law& law = settings.laws[l];
         if (!is_about(law, one)) continue;

@@ -1,5 +1,5 @@
-// Laws over suites of cases, on a few threads: what each saw, and where it broke. The result does not depend
-// on the number of threads.
+// Runs laws over suites of cases, on a few threads, and counts where they broke. The result does not depend on the
+// number of threads.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace graze::tool {
 
-// A case that turns is judged by the rotating laws, any other by the linear ones and those of the queries.
+// A rotating case is judged by the rotating laws, any other by the linear ones and those of the queries.
 struct LawSuite {
   Suite suite;
   // The command that generates case i again. Empty for given cases, which are identified by their id.

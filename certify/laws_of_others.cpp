@@ -99,7 +99,7 @@ constexpr NotForOthers kNotForOthers[] = {
 
 // A record of the calls that a law made on this thread.
 struct Heard {
-  bool has_seen = false;  // the law has asked what the engine sees
+  bool has_seen = false;  // the law has asked the case as the engine sees it
   bool not_seen = false;  // the engine does not take an edit of the case
   std::string declined, failed;
 };
@@ -108,7 +108,7 @@ Heard& heard() {
   return all;
 }
 
-// By how much the engine rounds what it is asked: its margin, in the unit of the case.
+// The length by which the engine rounds the bodies: its margin, in the unit of the case.
 double margin_of(const Method& method, Case problem) {
   problem.target_distance = 0;
   return method.refuses(problem).empty() ? method.seen(problem).target_distance : 0;
@@ -145,8 +145,7 @@ Case seen_by_laws(const Method& method, const Case& problem) {
   return seen;
 }
 
-// In the place of an answer that there is not: it claims nothing, so that the law comes to its end, and what it says then
-// is not looked at.
+// Replaces a missing answer. It claims nothing, so that the law can finish, and the law's result is then ignored.
 Answer no_answer() {
   Answer answer;
   answer.outcome = Outcome::not_converged;

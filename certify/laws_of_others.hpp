@@ -17,11 +17,11 @@ namespace graze::tool {
 // bits that nobody promised. Empty if it applies.
 [[nodiscard]] std::string_view why_not_for_others(std::string_view law);
 
-// The same for one that answers as this one does: whose answers hold no time, no normal, no witnesses.
+// The same for this method, whose answers may lack a time, a normal or witnesses.
 [[nodiscard]] std::string_view why_not_for(const law::Law& law, const engine::Method& method);
 
-// A method of others as the laws ask it: what it sees it sees again, and a target distance holds its margin. `method`
-// outlives it, and it stays where it is while laws ask it.
+// A third-party method as the laws ask it. It sees its own view of a case unchanged, and a target distance includes its
+// margin. `method` must outlive it and must not move while laws use it.
 [[nodiscard]] engine::Method as_laws_ask(const engine::Method& method);
 
 // The verdict of a law. If the engine does not take a question of the law, it is not applicable, with the label

@@ -12,12 +12,12 @@ namespace graze::tool {
 inline constexpr std::size_t kFewAnswers = 10;
 [[nodiscard]] std::string verdict_line(const Certification& certification, double seconds);
 
-// A line for each kind of fault: how many answers have it as their worst, of how many methods, in how many families, and
-// the first. Then what breaks a guarantee otherwise. Empty if every guarantee is kept.
+// A line for each kind of fault: the number of answers with it as their worst, the numbers of methods and families, and
+// the first case. Then the other broken guarantees. Empty if every guarantee is kept.
 [[nodiscard]] std::vector<std::string> fault_lines(const Certification& certification);
 
-// A line a method, both scalars side by side: answers, faults, open answers, proofs, the worst error over its limit and
-// where that was, the most support evaluations, time.
+// A line for each method, with both scalars side by side: answers, faults, open answers, proofs, the worst error over
+// its limit and its family, the most support evaluations, and the time.
 [[nodiscard]] std::string summary_table(const Certification& certification, const Settings& settings);
 
 // All tables of one kind of method, with the meaning of the columns. Empty if there is no method of the kind.

@@ -1,4 +1,5 @@
-// A certification as a page to look at (reports/pages/page.hpp): the verdict, who keeps what and at what price, the worst cases.
+// A certification as a page (reports/pages/page.hpp): the verdict, the methods with their guarantees and times, and the
+// worst cases.
 #pragma once
 
 #include <string>

@@ -30,7 +30,7 @@ struct Measured {
                                    // `denied`
   double forward = kNotMeasured;   // at the worse end, absent for a wrong verdict
   double denied = kNotMeasured;    // the clearance or depth that a wrong verdict denies
-  std::string fault;               // no answer, or verdict or time, by more than the method's row grants
+  std::string fault;               // invalid answer, or verdict or time beyond the method's guarantee
 };
 
 // One method on the cases of one level.
@@ -57,10 +57,10 @@ struct Curve {
   [[nodiscard]] LevelErrors total() const;
   // The level with the largest backward error, or nullptr if none was measured.
   [[nodiscard]] const LevelErrors* hardest() const;
-  // Does the row promise anything about every answer? False without one, and where it lets contacts be
-  // missed.
+  // True if the guarantee covers every answer. False without a guarantee, and if it lets contacts be missed.
   [[nodiscard]] bool claims_stability() const;
-  // No fault, and no more stalls than the row's share of the cases, rounded up. True without a row.
+  // No fault, and the number of unconverged answers is at most the guarantee's share of the cases, rounded
+  // up. True without a guarantee.
   [[nodiscard]] bool holds() const;
 };
 
@@ -83,7 +83,7 @@ struct FamilyStability {
     std::size_t cases = 0;
   };
   std::vector<Skipped> skipped = {};         // cases that third-party engines do not take
-  std::vector<corpus::Case> convicted = {};  // cases on which some method is at fault or stalled
+  std::vector<corpus::Case> convicted = {};  // cases with a method at fault or not converged
 };
 
 [[nodiscard]] FamilyStability measure_family(const corpus::Family& family, const StabilitySettings& settings);

@@ -56,7 +56,7 @@ std::vector<std::size_t> legend_order(const std::vector<Curve>& curves) {
   return order;
 }
 
-// Long names want fewer columns.
+// Long names need fewer columns.
 std::string key_shape(const std::vector<Curve>& curves) {
   return fmt::format("vertical maxrows {} Left reverse samplen 3 width -1 noenhanced",
                      curves.size() > 10 ? 6 : 2);
@@ -88,7 +88,7 @@ struct Panel {
   const char* title;
   int column;
   bool left, top;
-  bool kappa_shown = false;  // 64 u scale, what a standard tier may err
+  bool kappa_shown = false;  // 64 u scale, the error bound of a standard tier
 };
 constexpr Panel kPanels[] = {{"backward error, worst", 4, true, true},
                              {"backward error, median", 5, false, true},

@@ -12,14 +12,14 @@
 
 namespace graze::tool {
 
-// Given cases, or as many as wanted, each generated when it is asked for.
+// The given cases, or the requested number, each generated when it is needed.
 struct Suite {
   engine::Kind kind = engine::Kind::linear;  // the kind of methods that are asked
   std::string family;
   std::vector<corpus::Case> cases = {};
   std::size_t drawn = 0;
   std::function<corpus::Case(std::size_t)> draw = {};
-  // The exact oracle measures every so many of them, beside what it must decide.
+  // The exact oracle measures one in this number, in addition to those that it must decide.
   std::size_t oracle_every = 1;
   // For suites of queries: true if the suite has the bodies of linear casts, which are asked every query. Otherwise
   // each case is asked its own query.

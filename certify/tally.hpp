@@ -1,5 +1,5 @@
-// A method on a family: how many answers have which fault, what is no fault by itself, how large the errors
-// were, and whether the method's guarantee holds there.
+// The results of a method on a family: the number of answers with each fault, other counts, the size of the errors, and
+// whether the method's guarantee holds there.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ struct Tally {
   std::array<std::size_t, law::kFaults> faults = {};  // answers by their worst, one of law::kFaultKinds
   std::size_t at_fault = 0;                           // answers with any
   std::size_t stalled = 0, within_tolerance = 0, hidden = 0, open = 0;
-  // Open answers, whether that is within the guarantee or not: not_converged, or a bracket that says of itself that it is
-  // wide. `stalled` counts those of them that the guarantee does not grant.
+  // Open answers, within the guarantee or not: not_converged, or a bracket that is flagged as wide. `stalled` counts
+  // those that the guarantee does not grant.
   std::size_t left_open = 0;
   std::size_t accepted = 0, refused = 0, unproved = 0;  // by their proofs
   std::size_t by_oracle = 0;

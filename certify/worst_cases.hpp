@@ -38,7 +38,7 @@ class WorstCases {
   // Told of every judgement, as Settings::judged is.
   void note(const Suite& suite, std::size_t i, const engine::Method& method, const law::Judgement& judgement);
 
-  // nullptr where nothing of the method and family is kept.
+  // nullptr if no case of the method and family is kept.
   [[nodiscard]] const Cell* find(const engine::Method& method, const std::string& family) const;
 
  private:

@@ -83,7 +83,7 @@ template <Scalar To, Scalar From>
           .displacement = round_to<To>(body.displacement)};
 }
 
-// A body of a case, and how it turns.
+// A body of a case, and its rotation.
 template <Scalar To>
 [[nodiscard]] RotatingBody<To> round_to(const Body<double>& body, const corpus::Spin& spin) {
   return {

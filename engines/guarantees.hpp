@@ -23,7 +23,7 @@ enum class Unseen {
   anything,
 };
 
-// A row whose cap is greater says by which mechanism.
+// A guarantee with a greater cap names the mechanism.
 inline constexpr double kPlainStallCap = 0.001;
 
 // The promise of a third-party engine about bodies that touch and go no deeper.
@@ -40,7 +40,7 @@ enum class StartNormal {
 inline constexpr double kOwnFramesOfCertified = 0x1p-84;
 
 struct Guarantee {
-  std::string query = "cast";  // or a query beside the cast, or "rotating"
+  std::string query = "cast";  // or a query other than the cast, or "rotating"
   std::string method, scalar, tier;
   // kappa: errors up to kappa u scale are within the guarantee. u: unit roundoff of the scalar.
   double kappa_polytope = 0;  // points, boxes and hulls, target distance 0
@@ -98,7 +98,7 @@ struct Guarantee {
 [[nodiscard]] const Guarantee* find_guarantee(std::span<const Guarantee> table, std::string_view query,
                                               std::string_view method, std::string_view scalar,
                                               std::string_view tier);
-// The row of a method in a table: nullptr if it has none, and then it promises nothing.
+// The guarantee of a method in a table, or nullptr if it has none and promises nothing.
 [[nodiscard]] const Guarantee* find_guarantee(std::span<const Guarantee> table, const Method& method);
 
 // The kappa of the guarantee that a proof record names by its method, scalar and tier. 0 if none of ours has these

@@ -71,7 +71,7 @@ struct Answer {
   bool stalled = false;                            // the bracket is wider than was asked for
 
   // Fields of third-party engines.
-  Failure failure = Failure::none;  // then nothing else of the answer means anything, but what follows
+  Failure failure = Failure::none;  // if set, only the following fields are valid
   std::string message = {};         // the description of a failure, else the engine's own message
   bool declined = false;            // the engine does not support the question
   std::optional<double> ns = {};    // time of a call, measured by the engine
@@ -117,8 +117,8 @@ struct Method {
   std::string tier;    // "standard", "certified", "exact"
   double unit_roundoff = 0;
   Holds holds = {};
-  bool asks_starts = true;  // false: starts in contact are no questions for it
-  // A case for which unsupported() says something comes back as not_taken().
+  bool asks_starts = true;  // false if starts in contact are not questions for it
+  // A case for which unsupported() is not empty returns not_taken().
   std::function<Answer(const corpus::Case&, const Ask&)> ask = nullptr;
   // The case as this method sees it: every number rounded to its scalar. Proofs and guarantees are about it.
   std::function<corpus::Case(const corpus::Case&)> seen = nullptr;
@@ -134,12 +134,12 @@ struct Method {
   // The method's guarantee, or nullptr if it promises nothing.
   const Guarantee* guarantee = nullptr;
 
-  // Asked for what a caller gets by default.
+  // The answer to a caller's default request.
   [[nodiscard]] Answer answer(const corpus::Case& problem, double tolerance = 0) const {
     return ask(problem, {.request = kPlain, .tolerance = tolerance});
   }
   [[nodiscard]] std::string full_name() const { return name + "/" + scalar; }
-  // The same with what it is asked before it: "gjk/double", "distance gjk/double", "rotating plan/double".
+  // The same with the query in front: "gjk/double", "distance gjk/double", "rotating plan/double".
   [[nodiscard]] std::string question_name() const;
   [[nodiscard]] bool is_exact() const { return tier == "exact"; }
   [[nodiscard]] bool is_certified() const { return tier == "certified"; }

@@ -1,4 +1,4 @@
-// Our queries beside the cast as engines: a case in, an answer in doubles out.
+// Our queries other than casts as engines: a case in, an answer in doubles out.
 #include <graze/distance.hpp>
 #include <graze/line.hpp>
 #include <graze/overlap.hpp>
@@ -116,8 +116,8 @@ Answer of_swept(const SweptOverlapResult<S>& result, const Ask&) {
   return answer;
 }
 
-// A method of a call, with bodies of its scalar, and of what makes an answer of the call's result. The call
-// alone is timed.
+// Builds a method from a call with bodies of its scalar, and from a function that turns the result into an
+// answer. Only the call is timed.
 template <Scalar S, class Call, class Widen>
 Method method_of(Query query, const char* name, const char* tier, const Call& call, const Widen& widen) {
   return {.kind = Kind::query,

@@ -15,7 +15,7 @@
 
 namespace {
 
-// The command that the line names, up to the part that was parsed: "corpus add". Empty if there is none yet.
+// The command that the line names, up to the part that was parsed: "corpus add". Empty if no command was read yet.
 const CLI::App& named_command(const CLI::App& app, std::string& words) {
   const auto parsed = app.get_subcommands();
   if (parsed.empty()) return app;

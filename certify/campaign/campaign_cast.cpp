@@ -42,7 +42,7 @@ bool is_answer(const Method& method, const engine::Answer& answer, double t_max)
          (method.kind == Kind::query || law::senseless(answer, t_max).empty());
 }
 
-// Its work is judged all the same: that takes no truth.
+// The number of support evaluations is judged even then, because it needs no truth.
 law::Judgement unjudged(const Method& method, const corpus::Case& problem, const engine::Answer& answer) {
   law::Judgement judgement;
   judgement.outcome = answer.outcome;

@@ -27,14 +27,14 @@ struct CampaignCast {
                                   // once
   std::string undecided = {};     // why the oracle, which was asked, could not tell
 
-  [[nodiscard]] std::string reason() const;  // the first fault, or what stalled
+  [[nodiscard]] std::string reason() const;  // the first fault, or the part that did not converge
 };
 
-// A case as a contender is asked it: of queries another than what was drawn.
+// A case as a contender is asked it. For queries it differs from the drawn case.
 [[nodiscard]] corpus::Case question_of(const engine::Method& contender, const DrawnCase& drawn);
 [[nodiscard]] corpus::Case question_of(engine::Kind kind, corpus::Query query, const DrawnCase& drawn);
 
-// One case and what is found out about it, for all contenders that are asked. One thread.
+// A case and the facts found about it, shared by all contenders that are asked. For one thread.
 class CaseJudge {
  public:
   explicit CaseJudge(DrawnCase drawn) : drawn_(std::move(drawn)) {}

@@ -21,7 +21,7 @@ struct OtherContender {
   std::string method;    // by question_name()
   std::string query;     // the query it answers, "cast" for casts
   std::string version;   // version of the engine
-  double stall_cap = 0;  // the fraction of a family in which it may say not_converged
+  double stall_cap = 0;  // the fraction of a family that may be not_converged
   std::string held_to;   // in words
   friend bool operator==(const OtherContender&, const OtherContender&) = default;
 };
@@ -42,8 +42,8 @@ struct CampaignSettings {
   std::vector<PartSettings> parts;
   std::uint64_t seed = 1;
   std::uint64_t block = 0;  // answers
-  // Hash of cases of every level and of our answers to them: of a build that generates other cases, or
-  // answers them otherwise, it is another. Engines of others are not asked for it.
+  // Hash of cases of every level and of our answers to them. A build that generates other cases, or answers
+  // them differently, has another hash. Third-party engines are not asked for it.
   std::string fingerprint;
 
   [[nodiscard]] std::uint64_t casts() const;
@@ -54,7 +54,7 @@ struct CampaignSettings {
 // The first field that differs, such as "seed is 2 here and 1 there". Empty if none differs.
 [[nodiscard]] std::string difference(const CampaignSettings& here, const CampaignSettings& there);
 
-// Counts are kept of each: a level of a family, asked of a contender.
+// Counts are kept for each cell: a level of a family, asked of a contender.
 struct Cell {
   std::string method, family;
   double level = 0;

@@ -55,8 +55,9 @@ struct CampaignState {
 // Nothing is done yet.
 [[nodiscard]] CampaignState fresh_state(const CampaignPlan& plan, std::uint64_t block, Shard shard);
 
-// JSON, the same text for the same state. Reading throws std::runtime_error with one line that names the file
-// and the field. Writing goes beside the file first and then in its place, and throws if it cannot.
+// JSON, the same text for the same state. Reading throws std::runtime_error with a one-line message that
+// names the file and the field. Writing creates a new file and then replaces the old one, and throws if it
+// cannot.
 [[nodiscard]] std::string state_text(const CampaignState& state);
 [[nodiscard]] CampaignState parse_state(std::string_view text, const std::string& name);
 [[nodiscard]] CampaignState read_state(const std::filesystem::path& file);

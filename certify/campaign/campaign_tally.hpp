@@ -27,10 +27,10 @@ struct CampaignCounts {
   std::uint64_t failed = 0;  // a third-party engine crashed, hung, or wrote an invalid answer
   std::uint64_t faults = 0;  // answers with any of them
   std::uint64_t stalls = 0;  // not_converged and not within tolerance, capped by the guarantee's fraction
-  std::uint64_t within_tolerance = 0;  // decided by less than the row's limit
+  std::uint64_t within_tolerance = 0;  // decided by less than the guarantee's limit
   std::uint64_t skipped = 0;           // no question was found, not counted in casts
   std::uint64_t most_supports = 0;     // support evaluations of the costliest answer
-  double widest = 0;                   // the largest error that the oracle measured, over what the row grants
+  double widest = 0;                   // the largest error that the oracle measured, over the limit
 
   CampaignCounts& operator+=(const CampaignCounts& other);
   friend bool operator==(const CampaignCounts&, const CampaignCounts&) = default;
@@ -66,8 +66,8 @@ inline constexpr std::array<CountField, 22> kCountFields = {{
     {"not_asked", &CampaignCounts::skipped},
 }};
 
-// An answer that was found wanting, or that the oracle could not tell about. Its case is that of (family,
-// level, seed), as the contender is asked it.
+// An answer that is at fault, did not converge, or that the oracle could not decide. Its case is that of
+// (family, level, seed), as the contender is asked it.
 struct Finding {
   std::uint64_t index = 0;  // index of the answer in the campaign
   std::string method, family;

@@ -31,15 +31,15 @@ struct DrawnCase {
   corpus::Case problem = {};
   std::size_t slot = 0;     // index into CampaignCases::slots()
   std::uint64_t seed = 0;   // seed of the generator: problem = family->generate(level, seed)
-  bool sampled = false;     // the oracle measures it, whatever its proof says
-  bool judged = true;       // if not, its outcomes are counted, and only what is no answer is judged
+  bool sampled = false;     // the oracle measures it, whether or not it has a proof
+  bool judged = true;       // if false, outcomes are counted and only invalid answers are judged
   bool is_question = true;  // false if no case in kAttempts was a question, never observed
 };
 
 class CampaignCases {
  public:
   static constexpr int kSample = 64;         // cases of a level that decide whether it is asked
-  static constexpr int kRareQuestion = 4;    // asked if 1 in so many is a question
+  static constexpr int kRareQuestion = 4;    // asked if 1 case in this number is a question
   static constexpr int kAttempts = 1 << 12;  // at 1 in 8, all of them fail once in 10^237
 
   // For third-party engines alone. A level is asked if one case in kRareSample is a question, and up to kRareAttempts

@@ -1,5 +1,4 @@
-// The contenders of a campaign: methods of one kind, which are asked about cases and held to their rows of
-// the guarantees.
+// The contenders of a campaign: methods of one kind, which are asked about cases and judged by their guarantees.
 #pragma once
 
 #include <string>

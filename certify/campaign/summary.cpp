@@ -170,7 +170,7 @@ std::string kinds_of(const CampaignCounts& counts) {
   return fmt::format("{}", fmt::join(kinds, ", "));
 }
 
-// A contender by its name: one of ours, or of others as the state has it.
+// A contender by its name: one of ours, or a third-party method as the state records it.
 struct Known {
   engine::Kind kind = engine::Kind::linear;
   corpus::Query query = corpus::Query::cast;

@@ -20,7 +20,7 @@ using engine::Method;
 
 namespace {
 
-// One call's time is the median of so many.
+// The time of a call is the median of this number of calls.
 constexpr int kTimedCalls = 31;
 
 Answer failure(Failure kind, std::string what) {
@@ -176,7 +176,7 @@ Answer Engine::ask(const Offer& offer, const Terms& terms, int repeat) {
   } else {
     answer = ask(*process, offer, terms, id, repeat);
   }
-  // One that answers what it was not asked, or no JSON, is out of step with its questions.
+  // An engine that answers another question, or writes no JSON, is out of step with its questions.
   if (is_dead(answer.failure) || answer.failure == Failure::garbage || answer.failure == Failure::wrong_id) {
     left_behind_ += process->stop();
   } else {

@@ -25,17 +25,17 @@ struct EngineOptions {
   ProcessLimits limits = {};
   // Held to these lengths, whatever it declares.
   std::optional<double> tolerance = {}, relative_tolerance = {}, kappa = {};
-  bool measure = false;        // held to no length: its errors are measured
-  bool beyond_limits = false;  // asked what lies beyond its documented limits, too
+  bool measure = false;        // no error limit: errors are only measured
+  bool beyond_limits = false;  // also asked cases beyond its documented limits
   unsigned spares = 1;         // processes that are started before they are needed
 };
 
-// The words of a command. Throws std::runtime_error where a quote has no end, or there is no word.
+// The words of a command. Throws std::runtime_error if a quote has no end, or if there is no word.
 [[nodiscard]] std::vector<std::string> words_of(const std::string& command);
 
 class Engine {
  public:
-  // Starts it and reads what it says of itself. Throws std::runtime_error with one line to show.
+  // Starts the engine and reads its declaration. Throws std::runtime_error with a one-line message.
   explicit Engine(EngineOptions options);
   ~Engine();
   Engine(const Engine&) = delete;

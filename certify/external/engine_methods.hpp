@@ -11,10 +11,10 @@
 
 namespace graze::external {
 
-// Limits of the command line, to which an engine is held whatever it declares: where there is one, it declares none.
+// Limits from the command line. If one is given, the limits that the engine declares are ignored.
 struct Held {
   std::optional<double> tolerance = {}, relative_tolerance = {}, kappa = {};
-  bool measure = false;  // no limit at all: errors are measured, and only what makes no sense is a fault
+  bool measure = false;  // no error limit: errors are measured, and only invalid answers are faults
 };
 
 // The limit of an engine that declares none and is given none, over scale: what a game still shows as touching. A wrong

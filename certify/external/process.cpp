@@ -34,7 +34,7 @@ using Clock = std::chrono::steady_clock;
 namespace {
 
 constexpr const char* kMark = "GRAZE_ENGINE_PROCESS=";
-// A line that is longer is no answer.
+// A longer line is not a valid answer.
 constexpr std::size_t kMostOfALine = std::size_t{1} << 24;
 constexpr std::size_t kKeptErrors = 2000;
 // The length of standard error that a finding shows: a traceback of a dozen calls.
@@ -246,7 +246,7 @@ Line Process::failed(Failure failure, std::string what) {
   std::string last = errors_.substr(errors_.size() - std::min(errors_.size(), kKeptErrors));
   while (!last.empty() && std::isspace(static_cast<unsigned char>(last.back())) != 0) last.pop_back();
   if (last.size() > kShownErrors) {
-    // Whole lines where there are some.
+    // Keeps whole lines if there are any.
     const std::size_t cut = last.size() - kShownErrors, line = last.find('\n', cut);
     last = "..." + (line == std::string::npos ? " " + last.substr(cut) : last.substr(line));
   }
@@ -331,10 +331,10 @@ bool Process::read_rest() {
 
 Line Process::read_line(std::chrono::milliseconds limit) { return read_reply(limit, 0); }
 
-// A line, or where `size` is not 0, as many bytes.
+// Reads a line, or `size` bytes if `size` is not 0.
 Line Process::read_reply(std::chrono::milliseconds limit, std::size_t size) {
   if (is_ended_) return {.failure = Failure::silent, .what = "it has ended"};
-  bool is_dead = false;  // though what it left behind may hold its output open
+  bool is_dead = false;  // processes that it left behind may hold its output open
   const auto stop = Clock::now() + limit;
   std::size_t looked = 0;
   for (;;) {

@@ -1,5 +1,5 @@
-// A program of others in a process of its own: started, asked a line, and ended, under a limit of time and
-// memory, whatever it does.
+// Runs a third-party program in a process of its own: starts it, asks it a line, and ends it, under a limit
+// of time and memory, whatever the program does.
 //
 // It leads a process group and carries a mark in its environment. The mark finds the processes that it left
 // behind, even outside the group, so that they can be ended. The last part of its standard error is kept.
@@ -44,7 +44,7 @@ class Process {
   Line read_line(std::chrono::milliseconds limit);
   // Writes a line, and reads the next.
   Line ask(const std::string& line);
-  // Writes bytes, and reads as many of `size`, which are the text of what comes back.
+  // Writes bytes, and reads `size` bytes, which become the text of the returned line.
   Line exchange(const std::string& bytes, std::size_t size);
 
   // Closes its input, so that it may end by itself, and then ends all that is left of it. Returns the number

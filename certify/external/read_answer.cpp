@@ -25,7 +25,7 @@ using engine::Interval;
 
 namespace {
 
-// A normal whose length is off by more is no unit vector in any scalar.
+// A normal whose length deviates by more is not a unit vector in any scalar.
 constexpr double kUnitSlack = 1e-3;
 
 // An error in a line.

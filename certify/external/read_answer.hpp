@@ -14,7 +14,7 @@ namespace graze::external {
 [[nodiscard]] engine::Answer read_answer(std::string_view line, std::string_view id, const Offer& offer,
                                          const Terms& terms);
 
-// By itself: what it says of the question that it answers. Empty where the line does not say.
+// The id of the question that a line answers. Empty if the line has none.
 [[nodiscard]] std::string id_of_answer(std::string_view line);
 
 }  // namespace graze::external

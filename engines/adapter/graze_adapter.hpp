@@ -1,8 +1,8 @@
-// graze::adapter: what an engine needs to stand under graze's judge, in one header of the C++17 standard library.
+// graze::adapter connects an engine to graze's judge. It is one header that needs only the C++17 standard library.
 //
 //   questions in, answers out, one line of JSON each (docs/reference/protocol.md)
 //
-// An engine says what it is, and answers one question at a time:
+// An engine declares its properties, and answers one question at a time:
 //
 //   #include <graze_adapter.hpp>
 //   using namespace graze::adapter;
@@ -19,7 +19,7 @@
 //     return serve(engine, answer);
 //   }
 //
-// A function that is to be timed without what it prepares (its shapes) returns a callable, which returns the answer:
+// To exclude preparation (such as building shapes) from the timing, return a callable that returns the answer:
 //
 //   engine.timed = true;
 //   return serve(engine, [](const Question& q) { return [shape = my_shape(q.a.shape), …] { return …; }; });
@@ -678,7 +678,7 @@ inline Body body_of(const Value& value, const std::string& where) {
 
 }  // namespace question
 
-// The id alone, if the line has one: so that a question which is not understood can be answered all the same.
+// The id alone, if the line has one, so that a question with errors can still be answered.
 inline std::optional<std::string> read_id(const json::Value& line) {
   const json::Value* id = line.find("id");
   if (id == nullptr || id->kind != json::Value::Kind::string) return std::nullopt;
@@ -852,8 +852,8 @@ inline std::string write_answer(const std::string& id, const Answer& answer) {
 // ---------------------------------------------------------------------------------------------------------------------
 // The loop.
 
-// Calls as often as was asked, and says what one call took: the median over batches of calls, so that the clock's own
-// time counts for nothing.
+// Makes the requested number of calls and returns the time of one: the median over batches of calls, so that the
+// clock's own time does not count.
 template <class Call>
 Answer call_repeatedly(Call&& call, int repeat) {
   static constexpr int kBatches = 15;
@@ -886,7 +886,7 @@ Answer ask(Function&& function, const Question& q) {
   }
 }
 
-// One line in, one out. Throws BadLine for what is no question.
+// One line in, one out. Throws BadLine for an invalid question.
 template <class Function>
 std::string answer_line(Function&& function, std::string_view line) {
   const json::Value read = json::read(line);
@@ -900,8 +900,8 @@ std::string answer_line(Function&& function, std::string_view line) {
   }
 }
 
-// Says what the engine is, and answers until the input ends. `put` writes one line and gives false if it could not.
-// Returns the program's exit code: 2 if a line was no question.
+// Declares the engine, and answers until the input ends. `put` writes one line and returns false if it could not.
+// Returns the program's exit code: 2 if a line was not a question.
 template <class Function, class Put>
 int serve_lines(const std::string& says, Function&& function, std::istream& in, Put&& put) {
   if (!put(says)) return 2;
@@ -928,8 +928,8 @@ int serve(const Engine& engine, Function&& function, std::istream& in, std::ostr
   });
 }
 
-// Standard output, for the protocol alone: whatever else the program or its libraries print there from now on goes to
-// standard error.
+// Reserves standard output for the protocol. All other output of the program and its libraries then goes to standard
+// error.
 class Output {
  public:
   Output() {
@@ -998,7 +998,7 @@ struct Pose {
   Vector position{};
   Quaternion orientation;
 };
-// The pivot moves evenly, the body turns about it.
+// The pivot moves at constant velocity, and the body rotates about it.
 inline Pose pose_at(const Body& body, double t) {
   const Vector arm = rotate(body.orientation, body.pivot);
   const Quaternion turn = rotation_of(t * body.rotation);

@@ -6,7 +6,7 @@
 //   shape      ShapeHead; its vertices, three doubles each; its parts, shapes
 //   answer     AnswerFrame
 //
-// Everything is a multiple of eight bytes long, so that vertices are read where they lie.
+// Everything is a multiple of eight bytes long, so that vertices can be read in place.
 #pragma once
 
 #include <cstddef>

@@ -47,7 +47,7 @@ void find(void* handle, const std::string& name, Function& out) {
 
 Library open(const char* file) {
   void* handle = dlopen(file, RTLD_NOW | RTLD_LOCAL);
-  // A name without a slash is looked for where libraries are, not here.
+  // dlopen seeks a name without a slash in the library path and not in the current folder.
   if (handle == nullptr) handle = dlopen(("./" + std::string(file)).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) refuse(dlerror());
   Library out;

@@ -6,8 +6,8 @@
 //   --setting default
 //
 // A question lies in the plane if three conditions hold:
-// - both bodies are upright prisms: boxes, hulls with all vertices in two planes z = c and the same outline in both, and
-//   for distances also cylinders
+// - both bodies are upright prisms: boxes, hulls with all vertices in two planes z = c and the same outline in both,
+//   and for distances also cylinders
 // - nothing moves along z, and all rotation is about z
 // - their extents in z overlap
 // Then the outlines touch when the bodies do. Everything else is unsupported.
@@ -50,7 +50,7 @@ struct Prism {
 bool about_z(const Quaternion& q) { return q.x == 0 && q.y == 0; }
 double angle_of(const Quaternion& q) { return 2 * std::atan2(q.z, q.w); }
 
-// Null where the body is no upright prism that stays in its plane.
+// Null if the body is not an upright prism that stays in its plane.
 std::shared_ptr<Prism> prism_of(const Body& body) {
   const Shape& shape = body.shape;
   const Vector& turn = body.rotation;

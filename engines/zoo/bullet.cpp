@@ -13,12 +13,13 @@
 //             margin0-tightest of subsimplex alone: as margin0, but it stops later
 //
 // Bullet promises no tolerance anywhere, so none is declared. It documents
-// - that a margin of 0 "might introduce problems" (user manual, "Collision margin"): the results of margin0 lie beyond that
+// - that a margin of 0 "might introduce problems" (user manual, "Collision margin"): the results of margin0 lie beyond
+//   that
 // - the size of moving objects, 0.05 to 10 units (its wiki, "Scaling The World"; user manual, "Avoid very small and very
 //   large collision shapes"): `lengths`
 // - that btSubsimplexConvexCast does not take starts in contact (btSubSimplexConvexCast.h, "Precondition"), and no cast
 //   has a way to report one: `starts` false
-// - that the rotation in a step stays below pi/4 (ANGULAR_MOTION_THRESHOLD of LinearMath/btTransformUtil.h): `most_turn`
+// - that the rotation per step is below pi/4 (ANGULAR_MOTION_THRESHOLD of LinearMath/btTransformUtil.h): `most_turn`
 // A cast ends at a distance by design: 0.001 in btGjkConvexCast and btContinuousConvexCollision, the root of
 // m_subSimplexCastEpsilon in btSubsimplexConvexCast: `early`.
 //

@@ -10,11 +10,11 @@
 
 namespace graze::draw {
 
-// An answer of somebody to the case, drawn beside ours.
+// A claimed answer to the case, drawn beside ours.
 struct DrawClaim {
   std::string words;           // the claimant, and the judgement of the claim
   std::optional<double> time;  // claimed time of contact, absent for a miss or an unknown time
-  bool is_wrong = false;       // drawn where it is wrong, said in any case
+  bool is_wrong = false;       // drawn if it is wrong, always listed
 };
 
 struct DrawSettings {

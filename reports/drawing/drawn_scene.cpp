@@ -85,7 +85,7 @@ class Analysis {
   }
 
  private:
-  // Fills `result` and `drawable`, and what the answer knows of the contact.
+  // Fills `result` and `drawable`, and the contact data of the answer.
   void ask() {
     if (problem_.query == corpus::Query::cast) {
       const engine::Method& method = *engine::find_method(engine::Kind::rotating, "plan/double");
@@ -142,7 +142,7 @@ class Analysis {
     scene_.scale = std::max({a.diagonal, b.diagonal, between.norm()});
     scene_.turns = engine::turns(problem_);
     scene_.turn_rate = std::max(wide(problem_.spin_a.rotation).norm(), wide(problem_.spin_b.rotation).norm());
-    // So far that the offset is what the case is about.
+    // So far from the origin, the offset is the subject of the case.
     if (scene_.scale > 0 && scene_.origin.norm() > kFar * scene_.scale) {
       scene_.result += fmt::format("; {} from the origin", plain_number(scene_.origin.norm()));
     }
@@ -223,7 +223,7 @@ class Analysis {
     if (!scene_.margin) scene_.result += fmt::format("; {}: {}", name, plain_number(clearance));
   }
 
-  // The distance by its normal in Real, where that says more than the doubles it was found in.
+  // The distance along its normal in Real, if that has more digits than the doubles it was found in.
   [[nodiscard]] Real finer(const Separation& s) const {
     const Real by_normal = -height_of_cso(s.normal);
     return by_normal > s.distance / 2 ? by_normal : s.distance;

@@ -32,7 +32,7 @@ struct Scene {
   Vec touching_a = Vec::Zero(), touching_b = Vec::Zero();  // the points of A and B, at the moment
   Vec normal = Vec::Zero();                                // unit, from A to B
   Vec velocity = Vec::Zero();                              // velocity of B's point there relative to A's
-  // A length that the case turns on, where one is far below the scene: a clearance, a depth, a gap.
+  // A length that decides the case, if one is far below the scene: a clearance, a depth, a gap.
   std::optional<Real> margin;
   std::string margin_name;
 

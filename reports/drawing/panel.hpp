@@ -32,7 +32,7 @@ class Panel {
 
   // The wrong ones with a time are drawn, dashed.
   void set_claims(std::span<const DrawClaim> claims) { claims_ = claims; }
-  // The world's axes, in the lower right corner, and where the picture is seen from.
+  // The world's axes, in the lower right corner, and the viewing direction.
   void draw_axes(Canvas& canvas);
 
   // Pixels of one unit of length.

@@ -209,7 +209,7 @@ class Document {
     if (outcome == Outcome::hit) out_["truth"]["depth"] = enclosure(true_one.depth());
   }
 
-  // Our answer with the strongest proof, and what the checker says of it.
+  // Our answer with the strongest proof, and the checker's result.
   void reference() {
     if (!is_cast()) return;
     const Method* method =

@@ -1,4 +1,4 @@
-// A case as a document that a viewer draws: the bodies and their motions, what is true, what is claimed, the proof.
+// A case as a document that a viewer draws: the bodies and their motions, the truth, the claims, the proof.
 //
 // Everything that a picture needs is computed here, by exact hulls, oracles and the proof checker. A viewer only places
 // and draws it. The document is graze.shown/1. page_scene.cpp writes its fields, and docs/howto/show.md describes them.
@@ -23,8 +23,8 @@ struct SceneSettings {
   std::size_t most_chain = 512;  // slices of a rotating proof that are kept
 };
 
-// `claimed`: methods whose answers are shown beside the truth. A method that is not for the case (another question, a
-// shape it does not take) is left out.
+// `claimed`: methods whose answers are shown beside the truth. A method that does not take the case (another question,
+// an unsupported shape) is left out.
 [[nodiscard]] Json scene_of(const corpus::Case& problem, std::span<const engine::Method* const> claimed,
                             const SceneSettings& settings = {});
 

@@ -82,7 +82,7 @@ std::optional<std::string> fault(const Overall& one, const Rule& rule) {
   return {};
 }
 
-// Among costs that are alike: what cast() does without a method, and what rounds correctly.
+// Among equal costs: the method that cast() uses by default, and one that rounds correctly.
 bool comes_first(const Row& row) { return row.method == "plan" || row.tier == "exact"; }
 
 Advice advice_by(const Rule& rule, const Tables& tables) {

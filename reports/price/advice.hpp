@@ -17,8 +17,8 @@ namespace graze::price {
 // because cast() follows it without a method. Tier exact comes next, because its time is correctly rounded.
 [[nodiscard]] std::vector<Advice> advice_of(const Document& document);
 
-// How that contender is asked in C++: "graze::cast(a, b, {.tolerance = 1e-06})", with what the bodies
-// are in a line above.
+// The call of that contender in C++: "graze::cast(a, b, {.tolerance = 1e-06})", with a line above that describes the
+// bodies.
 [[nodiscard]] std::string call_of(const Row& row);
 
 }  // namespace graze::price

@@ -16,7 +16,7 @@
 
 namespace graze::price {
 
-// One table to be measured: what its cases are, and who is asked.
+// A table to be measured: its cases and its contenders.
 struct Topic {
   PriceTable head = {};  // without rows
   engine::Kind kind = engine::Kind::linear;

@@ -1,4 +1,4 @@
-// One answer against what is true of its case.
+// Compares one answer with the truth about its case.
 //
 // The truth comes from three sources:
 // - the exact oracle for polytopes, rounded or not

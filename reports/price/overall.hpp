@@ -1,4 +1,4 @@
-// A contender over many tables: what it costs in the mean, and the worst that it did.
+// A contender over many tables: its mean cost, and its worst answer.
 #pragma once
 
 #include <string>

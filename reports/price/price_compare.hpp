@@ -1,4 +1,4 @@
-// Two runs of graze price: what got slower, what less accurate?
+// Compares two runs of graze price: slower times and less accurate answers.
 //
 // Only two things are compared: ratios to the baseline of the same run, and counts that depend on no clock.
 // Times are not compared, because they belong to another machine or another hour. A slowdown is reported if
@@ -17,7 +17,7 @@ namespace graze::price {
 
 struct CompareSettings {
   double threshold = 0.1;  // a ratio, a mean of supports: by this part of it
-  // An error must grow by this factor, and beyond what rounding is, to be said.
+  // An error is reported if it grew by this factor, and beyond rounding.
   double error_factor = 2;
 };
 
@@ -27,7 +27,7 @@ struct Comparison {
   std::size_t rows = 0;                    // compared rows
 };
 
-// Throws std::runtime_error where nothing can be compared: another seed or effort, no table in common.
+// Throws std::runtime_error if nothing can be compared: another seed or effort, or no table in common.
 [[nodiscard]] Comparison compare(const Document& old_run, const Document& new_run,
                                  const CompareSettings& settings = {});
 

@@ -23,7 +23,7 @@ struct RunSettings {
   std::function<void(const Document&)> keep = [](const Document&) {};  // after every table
 };
 
-// Goes on with what `begun` has: tables that are there are not measured again.
+// Continues with `begun`: its tables are not measured again.
 [[nodiscard]] Document run(const RunSettings& settings, Document begun = {});
 
 // True for the name, the group or the series of a table.

@@ -47,7 +47,7 @@ void count(WorkloadRow& row, Outcome outcome) {
   }
 }
 
-// Nothing where it is stopped.
+// Empty if it is stopped.
 std::optional<WorkloadRow> measure(const corpus::Family& workload, double level, const engine::Method& method,
                                    const WorkloadSettings& settings, tool::Progress& progress) {
   WorkloadRow row{
@@ -94,7 +94,7 @@ std::vector<std::string> cells_of(const WorkloadRow& row) {
           fmt::format("{}", row.most_supports)};
 }
 
-// Over all workloads and places, a row a method.
+// A row for each method, over all workloads and places.
 std::vector<WorkloadRow> totals(const std::vector<WorkloadRow>& rows) {
   std::vector<WorkloadRow> out;
   for (const char* method : kMethods) {

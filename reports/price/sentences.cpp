@@ -127,7 +127,7 @@ class Words {
     }
   }
 
-  // The cheapest whose worst answer is right to within so much.
+  // The cheapest contender whose worst error is within this limit.
   void within(bool turning) {
     const Tables tables = families_of(document_, turning);
     std::vector<std::string> parts;

@@ -97,7 +97,7 @@ void add_smooth(std::vector<Topic>& out, const Effort& effort) {
                        }));
 }
 
-// Both turn by about `angle` radians in the step, about pivots near their centres.
+// Both rotate by about `angle` radians in the step, about pivots near their centres.
 Case turning_pair(Random& random, double least, double most) {
   const auto solid = [&] {
     switch (random.below(4)) {

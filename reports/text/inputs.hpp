@@ -1,4 +1,5 @@
-// The files of a command line: what was wrong in one goes to stderr, a line each, and the others are read.
+// Reads the files of a command line. Errors in a file go to stderr, a line each, and the other files are
+// still read.
 #pragma once
 
 #include <string>

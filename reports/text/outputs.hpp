@@ -1,8 +1,7 @@
 // The output files of a run. Two guarantees hold for every output of every command. No file that the run reads is
 // overwritten, whatever spelling, symlink or hard link names it. A file that cannot be written to its end is an error.
 //
-// A command says first what it will read. An output says what it is when it is opened, before anything is
-// emptied.
+// A command first declares the files it will read. An output is checked when it is opened, before anything is emptied.
 #pragma once
 
 #include <fstream>
@@ -17,8 +16,8 @@ namespace graze::tool {
 // .jsonl). None of them may be an output from then on. Throws std::runtime_error if standard output goes to one.
 void will_read(const std::vector<std::string>& names);
 
-// Throws std::runtime_error, in one line, if to write this file were to write over what is read, or over an
-// output that is still open. Devices and pipes are neither.
+// Throws std::runtime_error with a one-line message if writing this file would overwrite an input or an output that is
+// still open. Devices and pipes are exempt.
 void require_own_file(const std::string& name);
 // The same check for each output of a run. It also requires that no two outputs are one file. "-" and "" are ignored.
 void require_own_files(const std::vector<std::string>& names);
@@ -31,7 +30,7 @@ void require_folder(const std::string& name);
 class OutputFile {
  public:
   explicit OutputFile(std::string name);
-  void write_line(const std::string& line);  // throws where it is seen at once that it cannot be written
+  void write_line(const std::string& line);  // throws if an error in writing shows at once
   void close();                              // throws if anything could not be written
   // The same for a run that failed: if no line was written, the file keeps its previous content.
   void close_what_is_written();
@@ -60,8 +59,8 @@ void close_standard_output();
 // Has a write to standard output failed because nobody reads it any more?
 [[nodiscard]] bool is_reader_gone();
 
-// Ends the process as the signal SIGPIPE ends other tools: silently, and a shell shows 141. Returns that only where the
-// signal is blocked.
+// Ends the process as the signal SIGPIPE ends other tools: silently, and a shell shows 141. Returns that value only if
+// the signal is blocked.
 [[nodiscard]] int end_as_by_sigpipe();
 
 }  // namespace graze::tool

@@ -11,10 +11,10 @@ namespace graze::tool {
 
 class Progress {
  public:
-  // Counts, or, where things of different cost are counted, the share that is done, with a bar.
+  // Shows counts, or the share that is done if the items differ in cost, with a bar.
   enum class Show { counts, percent };
 
-  // `before`: of the total, what was done before this run.
+  // `before`: the part of the total that was done before this run.
   Progress(std::string label, std::uint64_t total, std::uint64_t before = 0, Show show = Show::counts);
   ~Progress();  // wipes the line
   Progress(const Progress&) = delete;

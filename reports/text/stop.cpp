@@ -64,7 +64,7 @@ StopBySignal::StopBySignal() {
   for (const int number : {SIGINT, SIGTERM}) handle(number, &note_signal);
 }
 
-// After a request the handler stays: the rest of it may come while what there is is written.
+// After a request the handler stays, because its other signals may arrive while the results are written.
 StopBySignal::~StopBySignal() {
   if (g_signal != 0) return;
   for (const int number : {SIGINT, SIGTERM}) handle(number, SIG_DFL);

@@ -1,4 +1,4 @@
-// A long command that is asked to stop ends in order: it keeps and shows what it has.
+// Ends a long command in order when a stop is requested: it keeps and shows its results so far.
 #pragma once
 
 namespace graze::tool {

@@ -67,7 +67,7 @@ struct CampaignArguments {
   [[nodiscard]] bool is_slow() const { return queries || casts_rotating() || workloads || work; }
 };
 
-// Those named, in the order of the table, so that the order of the options says nothing.
+// The named ones, in the order of the table, so that the order of the options does not matter.
 std::vector<const corpus::Family*> chosen_families(const std::vector<std::string>& names,
                                                    std::span<const corpus::Family> all) {
   std::vector<const corpus::Family*> chosen;
@@ -120,7 +120,7 @@ void require_writable(const std::string& name) {
   if (!existed) std::filesystem::remove(name);
 }
 
-// The state to begin with: what the file holds, or nothing done.
+// The state to begin with: the content of the file, or an empty state.
 CampaignState initial_state(const CampaignArguments& arguments, const CampaignState& fresh) {
   if (arguments.state.empty() || !std::filesystem::exists(arguments.state)) return fresh;
   CampaignState kept = read_state(arguments.state);

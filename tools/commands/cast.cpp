@@ -136,7 +136,7 @@ class CastRun {
   }
 
  private:
-  // Standard output is one thing's: beside proofs that go there the answers go to stderr.
+  // Standard output has one document. If proofs go there, the answers go to stderr.
   [[nodiscard]] std::FILE* screen() const { return settings_.proofs == "-" ? stderr : stdout; }
   void refuse(const std::string& file, const corpus::Case& problem, const std::string& why) {
     complain(fmt::format("{}: case {}: {}", file, problem.id, why));
@@ -216,7 +216,7 @@ class CastRun {
           why = refused;
           continue;
         }
-        // A rotating cast answers what does not turn, too, where there is no other.
+        // A rotating cast also answers linear cases if no linear cast is offered.
         if (is_asked && method.kind == engine::Kind::rotating) continue;
         const engine::Answer answer = method.ask(problem, ask_);
         if (answer.declined) {

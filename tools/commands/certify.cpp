@@ -36,7 +36,7 @@ bool complain_of_unasked(const Engines& engines, const Certification& certificat
   bool is_any = false;
   for (const auto& engine : engines.all()) {
     std::size_t asked = 0;
-    // A row of a promise is one method's.
+    // Each guarantee belongs to one method.
     for (const engine::Method& method : engine->methods()) {
       for (const std::vector<Tally>* tallies : {&certification.tallies, &certification.beyond_limits}) {
         for (const Tally& tally : *tallies) {
@@ -115,7 +115,7 @@ int run_certify_command(const CertifyArguments& arguments) {
       complain_of_unasked(selection.engines(), certification) || complain_of_no_answer(certification);
   const std::vector<std::string> orphans = selection.engines().finish();
   certification.breaches.insert(certification.breaches.end(), orphans.begin(), orphans.end());
-  // First, so that a reader of them who is gone ends the run before a word is said.
+  // Written first, so that a broken pipe ends the run before any text is printed.
   files.write(certification, settings, took.count(), html);
   print_certification(arguments, selection, certification, settings, intake, took.count());
   if (!arguments.findings.empty())

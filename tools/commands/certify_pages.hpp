@@ -16,13 +16,13 @@
 
 namespace graze::tool {
 
-// The files that the command line names. All are opened before anything is judged: what cannot be written is said
+// The files that the command line names. All are opened before anything is judged, so an error in writing is reported
 // at once.
 class CertifyFiles {
  public:
   explicit CertifyFiles(const CertifyArguments& arguments);
   [[nodiscard]] bool has_page() const { return page_ != nullptr; }
-  // `html`: the report, where there is to be one.
+  // `html`: the report, if one is requested.
   void write(const Certification& certification, const Settings& settings, double seconds,
              const std::string& html);
 

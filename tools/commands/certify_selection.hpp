@@ -9,7 +9,7 @@
 
 namespace graze::tool {
 
-// The methods that the command line selects, each with the row that it is held to.
+// The methods that the command line selects, each with its guarantee.
 class Selection {
  public:
   explicit Selection(const JudgedArguments& arguments);

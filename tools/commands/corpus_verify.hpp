@@ -1,4 +1,4 @@
-// graze corpus verify: what the corpus says, derived again.
+// graze corpus verify: derives the corpus's expected answers again.
 #pragma once
 
 #include <string>

@@ -60,7 +60,7 @@ void write_picture(const std::string& name, const std::string& svg) {
   out.close();
 }
 
-// A file name of an id: what is not a letter, a digit, a point or one of _ - becomes -.
+// A file name for an id. All characters except letters, digits, points and _ - become -.
 std::string file_name(const std::string& id) {
   std::string name = id;
   for (char& c : name) {

@@ -35,7 +35,7 @@ void require_engine(const CLI::App& command);
 // The engines that the command line names, for as long as they are asked.
 class Engines {
  public:
-  // Starts each. Throws std::runtime_error with one line to show for one that cannot be asked, and where two have one
+  // Starts each engine. Throws std::runtime_error with a one-line message if one cannot be asked, or if two have one
   // name.
   explicit Engines(const EngineArguments& arguments);
 
@@ -51,7 +51,8 @@ class Engines {
   std::vector<std::unique_ptr<external::Engine>> engines_;
 };
 
-// Ends each, and says which left processes behind: the exit code of a run that would end with `code`.
+// Ends each engine, and reports those that left processes behind. Returns the exit code of a run that would end with
+// `code`.
 [[nodiscard]] int with_orphaned_processes(const Engines& engines, int code);
 
 }  // namespace graze::tool

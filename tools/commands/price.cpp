@@ -1,4 +1,4 @@
-// graze price: what does accuracy cost in time?
+// graze price: measures how much time accuracy costs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -85,7 +85,7 @@ void write_whole(const std::string& name, const std::string& text) {
   file.close();
 }
 
-// index.html, and what was measured, price.json.
+// index.html, and the measurements, price.json.
 void write_report(const PriceArguments& arguments, const price::Document& document) {
   if (arguments.report.empty()) return;
   const std::filesystem::path folder = arguments.report;

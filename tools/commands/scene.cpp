@@ -1,4 +1,4 @@
-// graze scene: what first touches what in a scene, and what had to be simulated to say so.
+// graze scene: finds the first contacts in a scene, and shows what had to be simulated to find them.
 #include <fmt/format.h>
 
 #include <ctime>
@@ -112,7 +112,7 @@ class SceneRun {
   }
 
  private:
-  // Standard output is one thing's: beside proofs that go there the events go to stderr.
+  // Standard output has one document. If proofs go there, the events go to stderr.
   [[nodiscard]] std::FILE* screen() const { return settings_.proofs == "-" ? stderr : stdout; }
   void refuse(const std::string& why) {
     complain(why);

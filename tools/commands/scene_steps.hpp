@@ -1,4 +1,4 @@
-// graze scene --steps: what a memory of the step before spares.
+// graze scene --steps: shows the savings from a memory of the step before.
 #pragma once
 
 #include "reports/text/table.hpp"

@@ -68,8 +68,8 @@ std::string answers_of(Question question) {
   return "";
 }
 
-// The row of a method, as a promise. A row of the proved tiers promises more than these words can say: a kappa of 1
-// of double is far above their widths for questions in which nothing turns.
+// The guarantee of a method, as a promise in the protocol. A guarantee of the proved tiers is stronger than the
+// protocol can express. For linear questions, a kappa of 1 in double is far above their widths.
 std::string promise_of(const Method& method) {
   const engine::Guarantee& row = *method.guarantee;
   const double kappa = std::max({row.kappa_polytope, row.kappa_rounded, row.kappa_contact.value_or(0)});

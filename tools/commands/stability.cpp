@@ -1,4 +1,4 @@
-// graze stability: measures the families one by one, prints what it finds, draws the curves.
+// graze stability: measures the families one by one, prints the results, draws the curves.
 #include <fmt/format.h>
 
 #include <algorithm>

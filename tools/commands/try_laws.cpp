@@ -52,7 +52,7 @@ void check_methods(const std::vector<std::string>& names, const std::vector<Law>
   }
 }
 
-// The bodies of a question beside the cast are cast: the laws of the queries make their own questions.
+// Bodies of a query other than the cast are cast. The laws of the queries make their own questions.
 void take(std::vector<LawSuite>& suites, const std::string& name, const std::vector<corpus::Case>& cases) {
   LawSuite straight{.suite = {.family = name}}, turning{.suite = {.kind = Kind::rotating, .family = name}};
   for (corpus::Case problem : cases) {
@@ -70,7 +70,7 @@ LawSuite suite_of(const corpus::Family& family, const LawArguments& arguments, c
   const std::size_t levels = family.rotating ? (family.levels.size() + 1) / 2 : family.levels.size();
   const std::size_t count = family.rotating ? arguments.rotating.value_or(kRotatingLawCases)
                                             : arguments.count.value_or(kLinearLawCases);
-  // Engines of others alone are asked what they take.
+  // If only third-party engines are asked, the cases are those that they take.
   const bool is_drawn = !arguments.our_methods().empty() || count == 0;
   const auto takes = [&](const corpus::Case& problem) {
     const std::vector<const engine::Method*> others = engines.methods();
@@ -251,7 +251,7 @@ int try_laws(const LawArguments& arguments) {
     return 2;
   }
 
-  // Laws of a kind that no case is for say nothing, unless one was asked for by name.
+  // A law without cases of its kind is not listed, unless it was requested by name.
   if (arguments.laws.empty()) {
     std::erase_if(settings.laws, [&](const Law& law) {
       return std::none_of(suites.begin(), suites.end(), [&](const LawSuite& one) {

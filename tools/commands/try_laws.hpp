@@ -14,8 +14,8 @@ struct LawArguments : JudgedArguments {
   std::string report;
 };
 
-// Cases of a family: all laws together take tens of milliseconds for one that does not turn, and of one that
-// does the oracle takes a tenth of a second to some.
+// Cases of a family. For a linear case all laws together take tens of milliseconds. For a rotating case the oracle
+// takes between a tenth of a second and several seconds.
 inline constexpr std::size_t kLinearLawCases = 40, kRotatingLawCases = 4;
 
 // Returns the exit code: 1 if a law is broken, 2 for bad input or nothing to judge, and 128 plus its number after a
