@@ -13,8 +13,8 @@ namespace graze::price {
 //   game   every verdict decided, no answer off by more than 1e-3 of scale, float is enough
 //   robot  never late by even one bit, no contact missed, every verdict decided, and a tier that guarantees this
 //   CAD    the same, and a time to 1e-15 of scale for polytopes, 1e-12 for other shapes, 1e-9 for rotating bodies
-// Contenders that the rounds cannot tell from the cheapest (5 %) count as equally cheap. Among those the plan comes first,
-// because cast() follows it without a method. Tier exact comes next, because its time is correctly rounded.
+// Contenders that the rounds cannot tell from the cheapest (5 %) count as equally cheap. Two of those are preferred: the
+// plan, because cast() follows it without a method, and tier exact, because its time is correctly rounded.
 [[nodiscard]] std::vector<Advice> advice_of(const Document& document);
 
 // The call of that contender in C++: "graze::cast(a, b, {.tolerance = 1e-06})", with a line above that describes the
