@@ -87,7 +87,7 @@ class Digest {
     for (const char one : x) add(one);
   }
   void add(const Answer& x) {
-    // What it cost, in counters and in ns, is judged elsewhere (digest_of_case), or not at all.
+    // The cost, in counters and in ns, is judged in digest_of_case or not at all.
     const auto& [outcome, invalid, invalid_at, lower, upper, normal, point_a, point_b, reach_a, reach_b,
                  distance, passed_over, proof, counters, plan, hidden_motion, rotating_proof, separation,
                  depth, t_in, t_out, normal_out, has_points, stalled, failure, message, declined, ns,
@@ -113,7 +113,7 @@ class Digest {
   std::uint64_t state_ = 0;
 };
 
-// Of all that the method is asked about case i; 0 for nothing.
+// A digest of the method's answers to all requests about case i, or 0 if the method is not asked about it.
 std::uint64_t digest_of_case(const Suite& suite, std::size_t i, const Case& problem, const Method& method) {
   const std::optional<Case> asked = question_for(suite, i, problem, method);
   if (!asked) return 0;
@@ -121,7 +121,7 @@ std::uint64_t digest_of_case(const Suite& suite, std::size_t i, const Case& prob
   for (const Request request : requests_of(method.kind)) {
     digest.add(method.ask(*asked, {.request = request}));
   }
-  // Of the work a judgement reads only whether it is more than the guarantee.
+  // A judgement reads one fact about the work: whether it exceeds the guarantee.
   if (method.guarantee != nullptr && method.guarantee->most_supports) {
     const int supports = method.ask(*asked, {.request = engine::kPlain}).counters.supports;
     digest.add(supports > *method.guarantee->most_supports);
@@ -200,7 +200,8 @@ std::vector<std::vector<bool>> KeptAnswers::differ_from(const KeptAnswers& kept)
   return differing;
 }
 
-// A line with the place, the number of cases and the method; then one with a digest and a state a case.
+// The first line has the place, the number of cases and the method. Each further line has the digest and the state of a
+// case.
 void KeptAnswers::write(std::ostream& out) const {
   for (const auto& [key, column] : answers_) {
     std::string text = fmt::format("{} {} {}\n", key.first, column.size(), key.second);
@@ -250,7 +251,7 @@ std::vector<std::string> judge_all(const std::vector<Suite>& suites, const Setti
 std::vector<std::string> judge_differing(const std::vector<Suite>& suites, const Settings& settings,
                                          const KeptAnswers& kept,
                                          const std::vector<std::vector<bool>>& differing) {
-  bool sure = false;  // some row breaks, whatever comes
+  bool sure = false;  // a guarantee is certain to break
   std::map<std::pair<std::size_t, const Method*>, std::size_t> stalls;
   Settings some = settings;
   some.times_casts = false;

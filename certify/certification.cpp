@@ -28,18 +28,19 @@ constexpr std::array<Request, 2> kBoth = {engine::kPlain, Request::everything};
 
 // Judged at a time, and then forgotten: a suite may have more cases than fit into memory.
 std::size_t block_of(Kind kind) { return kind == Kind::linear ? 1024 : 64; }
-// Of a suite: cases whose casts are timed, and batches of each.
+// The number of cases per suite whose casts are timed, and the number of batches for each.
 constexpr std::size_t kTimedLinear = 24, kTimedRotating = 8;
 constexpr int kBatchesLinear = 5, kBatchesRotating = 3;
-// What a case of a kind costs in processor time, over that of a linear cast: for the time that is left.
+// The processor time of a case of this kind, relative to a linear cast. The estimate of the time left uses
+// it.
 std::uint64_t cost_of(Kind kind) { return kind == Kind::linear ? 1 : kind == Kind::query ? 12 : 60; }
 
 // One method's answers to one case.
 struct Judged {
-  std::optional<Case> asked = {};  // nothing: no question for the method
+  std::optional<Case> asked = {};  // empty if it is not a question for the method
   Judgement judgement = {};
   double true_backward = std::numeric_limits<double>::quiet_NaN();
-  bool beyond_limits = false;  // of an engine of others: what it documents that it may not get right
+  bool beyond_limits = false;  // the case exceeds a documented limit of a third-party engine
 };
 struct JudgedCase {
   Case problem;
@@ -47,12 +48,12 @@ struct JudgedCase {
   bool oracle_made = false;
 };
 
-// What no method takes is refused, rightly: that is no answer.
+// An unsupported case is refused correctly. A refusal is not an answer.
 bool is_refusal(const Judgement& judgement) {
   return judgement.outcome == Outcome::invalid_input && !judgement.faulty();
 }
 
-// Why a case is no question for a method.
+// The reason why a case is not a question for a method.
 std::string why_unasked(const Method& method, const Case& asked) {
   if (std::string why = law::why_invalid(asked); !why.empty()) return "it has " + why;
   if (!method.is_ours()) return method.refuses(asked);
@@ -264,7 +265,7 @@ class CertificationRun {
       if (!judged.asked) continue;
       asked = true;
       Tally& tally = judged.beyond_limits ? beyond_limits_of(*tallies[m]->method) : *tallies[m];
-      // What an engine of others was asked is what a finding of it shows.
+      // A finding of a third-party engine shows the case as that engine was asked it.
       tally.add(tally.method->is_ours() ? one.problem : *judged.asked, judged.judgement);
       if (settings_.judged) settings_.judged(suite, i, *tally.method, judged.judgement);
       tally.true_backward.push_back(judged.true_backward);

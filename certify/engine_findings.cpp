@@ -25,7 +25,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// What is wrong with the answer to a case; nothing where it is no question for the method.
+// The judgement of the answer to a case. Nothing if the case is not a question for the method.
 std::optional<Judgement> judged(const Method& method, const Case& problem) {
   if (!law::in_domain(problem) || engine::turns(problem) != (method.kind == engine::Kind::rotating))
     return {};
@@ -41,9 +41,9 @@ std::optional<Judgement> judged(const Method& method, const Case& problem) {
   }
 }
 
-// A kind of fault; of answers that failed, a kind of failure.
+// A kind of fault. For answers that failed, it includes the kind of failure.
 struct DetailedFault {
-  std::size_t kind = 0;  // of law::kFaultKinds
+  std::size_t kind = 0;  // index into law::kFaultKinds
   engine::Failure failure = engine::Failure::none;
   auto operator<=>(const DetailedFault&) const = default;
 };
@@ -53,12 +53,12 @@ std::string name_of(const DetailedFault& fault) {
   return fault.failure == engine::Failure::none ? name : fmt::format("{}: {}", name, to_text(fault.failure));
 }
 
-// What of an answer is this fault, or nothing.
+// The reason for which an answer has this fault, or nothing.
 std::string why_of(const DetailedFault& fault, const Judgement& judgement) {
   return judgement.failure == fault.failure ? judgement.*law::kFaultKinds[fault.kind].why : "";
 }
 
-// Of each method and fault the family in which it is most frequent.
+// For each method and fault, the family in which it is most frequent.
 struct Met {
   const Tally* tally = nullptr;
   const Tally::Example* first = nullptr;
@@ -97,7 +97,7 @@ void make_small(EngineFinding& finding, const DetailedFault& fault, int budget, 
     const std::optional<Judgement> judgement = judged(*finding.method, problem);
     return judgement ? why_of(fault, *judgement) : "";
   };
-  // A body with an inside keeps one: what is found between solids is shown between solids.
+  // A body with an inside keeps one. A finding between solids is thus shown between solids.
   const bool solid_a = law::is_solid(finding.problem.a.shape),
              solid_b = law::is_solid(finding.problem.b.shape);
   const auto keeps_solids = [&](const Case& c) {

@@ -1,5 +1,5 @@
-// What engines of others were convicted of, made ready for whoever mends it: of each method and each kind of fault the
-// first case, made small under the engine itself.
+// Findings about third-party engines, prepared for the people who fix them: the first case of each kind of fault of
+// each method, reduced to a small case by running the engine itself.
 #pragma once
 
 #include <filesystem>
@@ -12,9 +12,10 @@ namespace graze::tool {
 
 struct EngineFinding {
   const engine::Method* method = nullptr;
-  std::string fault;      // of law::kFaultKinds, and of what failed how: "wrong", "failed: crashed"
-  std::string reason;     // of the small case
-  std::string family;     // where it was met first
+  std::string fault;      // a name in law::kFaultKinds, with the kind of a failure: "wrong", "failed:
+                          // crashed"
+  std::string reason;     // reason for the small case
+  std::string family;     // the family in which it occurred first
   std::string first;      // the case, before it was made small
   std::size_t times = 0;  // on how many of that family's cases
   corpus::Case problem;   // small
@@ -24,8 +25,8 @@ struct EngineFinding {
 [[nodiscard]] std::vector<EngineFinding> engine_findings(const Certification& certification, int budget,
                                                          double seconds);
 
-// Writes each as a case, ENGINE-QUESTION-FAULT.json, into the folder, which is made; its comment is the reason. Returns
-// a line each. Throws std::runtime_error with one line to show.
+// Writes each finding as a case, ENGINE-QUESTION-FAULT.json, into the folder, which is created. The comment of the case
+// is the reason. Returns a line for each. Throws std::runtime_error with a one-line message.
 [[nodiscard]] std::string save_findings(const std::vector<EngineFinding>& findings,
                                         const std::filesystem::path& directory);
 

@@ -87,7 +87,7 @@ Json tally_json(const Tally& tally) {
           {"ns_median", number_or_null(median(tally.ns))}};
 }
 
-// What broke on a family: the lines of the verdict, then the first case of each fault.
+// The failures on a family: the lines of the verdict, then the first case of each fault.
 std::string why_failed(const Tally& tally, const std::vector<std::string>& lines) {
   std::string text = fmt::format("{}\n", fmt::join(lines, "\n"));
   for (std::size_t k = 0; k < law::kFaults; ++k) {
@@ -138,7 +138,7 @@ std::string contacts_text(const Tally& tally) {
   return normals + witnesses == 0 ? "-" : fmt::format("{}, {}", count_text(normals), count_text(witnesses));
 }
 
-// Of each total a line.
+// A table with a line for each total.
 std::string table_of(const std::vector<Tally>& totals) {
   Table table({{"engine", Align::left},
                {"asked"},

@@ -1,5 +1,5 @@
-// A law that broke, made ready for whoever mends it: the case as a file for `graze cast`, its picture, and
-// the command that keeps it in the corpus.
+// A broken law, prepared for the person who fixes it: the case as a file for `graze cast`, its picture, and
+// the command that adds it to the corpus.
 #pragma once
 
 #include <filesystem>
@@ -21,8 +21,8 @@ struct Finding {
 struct SavedFinding {
   std::filesystem::path file, picture;  // NAME-HASH.jsonl and NAME-HASH.svg
 };
-// Writes both into the folder, which is made. The same finding goes to the same files. Throws
-// std::runtime_error with one line to show.
+// Writes both into the folder, which is created. The same finding has the same file names. Throws
+// std::runtime_error with a one-line message.
 [[nodiscard]] SavedFinding save_finding(const Finding& finding, const std::filesystem::path& directory);
 
 // Law, method, reason, seed, files and commands, a line each, and the case.

@@ -27,7 +27,8 @@ using law::LawResult;
 // (law, method): what breaks, until now the first of its cases.
 using Breaches = std::map<std::pair<std::size_t, std::size_t>, LawBreach>;
 
-// Adds a broken answer; the first in the order of suites and cases stays, whichever thread came first.
+// Adds a broken answer. The first in the order of suites and cases is kept, independent of the order of
+// threads.
 void add_breach(Breaches& breaches, LawBreach one) {
   LawBreach& kept = breaches.try_emplace({one.law, one.method}).first->second;
   const std::size_t times = kept.times + one.times;
@@ -36,7 +37,7 @@ void add_breach(Breaches& breaches, LawBreach one) {
   kept.times = times;
 }
 
-// One of ours, or of others, which are numbered after them.
+// A method of ours, or of a third party. The latter are numbered after ours.
 const engine::Method& method_of(const Law& law, std::size_t number, const LawSettings& settings) {
   const std::size_t ours = law.methods().size();
   return number < ours ? law.methods()[number] : settings.others[number - ours];
@@ -46,7 +47,7 @@ LawResult check(const Law& law, const corpus::Case& problem, const engine::Metho
   return method.is_ours() ? law.check(problem, method) : check_other(law, problem, method);
 }
 
-// An engine of others may take its time limit for every answer that it owes.
+// A third-party engine may use up its time limit for every answer.
 constexpr std::chrono::seconds kMostOfAnother{20};
 
 void make_small(LawBreach& breach, const LawSettings& settings) {
@@ -123,7 +124,7 @@ LawCertification certify_laws(std::span<const LawSuite> suites, const LawSetting
       if (settings.stop()) return;
       ++seen_cases;
       const corpus::Case problem = one.suite.at(i);
-      // All laws on one case, then the next: they share what the oracle said about it.
+      // Runs all laws on one case, then the next, so that they share the oracle's results.
       for (std::size_t l = 0; l < settings.laws.size(); ++l) {
         const Law& law = settings.laws[l];
         if (!is_about(law, one)) continue;

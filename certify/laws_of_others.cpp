@@ -29,7 +29,7 @@ struct NotForOthers {
   std::string_view law, why;
 };
 constexpr NotForOthers kNotForOthers[] = {
-    // Of linear casts.
+    // Laws of linear casts.
     {"scaling", kBits},
     {"changing_the_clock", kBits},
     {"asking_again", kBits},
@@ -53,7 +53,7 @@ constexpr NotForOthers kNotForOthers[] = {
     {"threshold_of_swept_overlap", kOurs},
     {"proof_is_tight", kTier},
     {"overclaims_are_refused", kTier},
-    // Of the queries.
+    // Laws of the queries.
     {"query_scaling", kBits},
     {"query_requesting", kBudget},
     {"query_answer_is_consistent", kRead},
@@ -76,7 +76,7 @@ constexpr NotForOthers kNotForOthers[] = {
     {"depth_is_shown", kAll},
     {"miss_is_shown", kAll},
     {"line_normals_support", kOurs},
-    // Of turning bodies.
+    // Laws of rotating bodies.
     {"turning_scaling", kBits},
     {"stretching_time", kBits},
     {"turning_scalars_meet", kScalars},
@@ -97,10 +97,10 @@ constexpr NotForOthers kNotForOthers[] = {
     {"plan_is_monotone", kPlan},
 };
 
-// What was heard while a law asked, on this thread.
+// A record of the calls that a law made on this thread.
 struct Heard {
-  bool has_seen = false;  // the law has asked what the engine sees
-  bool not_seen = false;  // of an edit: the engine does not take it
+  bool has_seen = false;  // the law has asked the case as the engine sees it
+  bool not_seen = false;  // the engine does not take an edit of the case
   std::string declined, failed;
 };
 Heard& heard() {
@@ -108,13 +108,13 @@ Heard& heard() {
   return all;
 }
 
-// By how much the engine rounds what it is asked: its margin, in the unit of the case.
+// The length by which the engine rounds the bodies: its margin, in the unit of the case.
 double margin_of(const Method& method, Case problem) {
   problem.target_distance = 0;
   return method.refuses(problem).empty() ? method.seen(problem).target_distance : 0;
 }
 
-// What it is to be asked so that it sees `seen`.
+// The case to ask the engine so that it sees `seen`.
 Case without_margin(const Method& method, Case seen) {
   const double margin = margin_of(method, seen);
   if (margin > 0 && seen.target_distance >= margin) seen.target_distance -= margin;
@@ -145,8 +145,7 @@ Case seen_by_laws(const Method& method, const Case& problem) {
   return seen;
 }
 
-// In the place of an answer that there is not: it claims nothing, so that the law comes to its end, and what it says then
-// is not looked at.
+// Replaces a missing answer. It claims nothing, so that the law can finish, and the law's result is then ignored.
 Answer no_answer() {
   Answer answer;
   answer.outcome = Outcome::not_converged;
@@ -176,7 +175,7 @@ Answer answer_to_laws(const Method& method, const Case& seen, const engine::Ask&
   if (answer.declined) {
     return decline(answer.message.empty() ? "it says that the question is none for it" : answer.message);
   }
-  // Of the queries: an answer that does not hold what the law is about. A distance that was not told reads as 0.
+  // For queries: an answer without the value that the law is about. A distance that was not given reads as 0.
   const bool lacks_distance = method.query == corpus::Query::distance && answer.outcome == Outcome::miss &&
                               !(answer.separation && answer.separation->upper > 0);
   const bool lacks_depth = method.query == corpus::Query::penetration &&

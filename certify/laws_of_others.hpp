@@ -1,8 +1,8 @@
-// Laws about engines of others: which of them such an engine can be asked at all, and how.
+// Laws for third-party engines: which laws apply to such an engine, and how it is asked.
 //
-// A law asks a method about a case as the method sees it, and about edits of that. An engine of others sees a case in
-// its own terms (certify/external/terms.hpp), which need not take the edit: then the law says nothing of it. Where the engine
-// fails on a question of the law, crashed or hung, the law is broken by that.
+// A law asks a method about a case as the method sees it, and about edits of that case. A third-party engine sees a
+// case in its own terms (certify/external/terms.hpp) and may not take the edit. The law does not apply then. If the
+// engine crashes or hangs on a question of the law, the law is broken.
 #pragma once
 
 #include <string>
@@ -13,18 +13,19 @@
 
 namespace graze::tool {
 
-// Why no engine of others is asked a law: it is about what the protocol has no words for, about our tiers, or about bits
-// that nobody promised. Empty if one is.
+// Why a law does not apply to third-party engines: the protocol cannot express it, or it is about our tiers, or about
+// bits that nobody promised. Empty if it applies.
 [[nodiscard]] std::string_view why_not_for_others(std::string_view law);
 
-// The same for one that answers as this one does: whose answers hold no time, no normal, no witnesses.
+// The same for this method, whose answers may lack a time, a normal or witnesses.
 [[nodiscard]] std::string_view why_not_for(const law::Law& law, const engine::Method& method);
 
-// A method of others as the laws ask it: what it sees it sees again, and a target distance holds its margin. `method`
-// outlives it, and it stays where it is while laws ask it.
+// A third-party method as the laws ask it. It sees its own view of a case unchanged, and a target distance includes its
+// margin. `method` must outlive it and must not move while laws use it.
 [[nodiscard]] engine::Method as_laws_ask(const engine::Method& method);
 
-// What a law says of it. Not applicable, with the label kSkipped, where the engine does not take a question of the law.
+// The verdict of a law. If the engine does not take a question of the law, it is not applicable, with the label
+// kSkipped.
 inline constexpr std::string_view kSkipped = "not asked";
 inline constexpr std::string_view kFailed = "failed";
 [[nodiscard]] law::LawResult check_other(const law::Law& law, const corpus::Case& problem,

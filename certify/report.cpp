@@ -171,7 +171,7 @@ std::string summary_table(const Certification& certification, const Settings& se
         worst_family = tally.family;
       }
     }
-    // What was asked nothing has nothing to say.
+    // A method that was asked nothing has no line.
     if (both.cases == 0 && both.skipped == 0) continue;
     if (last != nullptr && last->kind != method->kind) table.add_gap();
     if (last == nullptr || last->kind != method->kind) add_heading(table, method->kind);
@@ -484,7 +484,7 @@ std::string guarantee_table(Kind kind, const Certification& certification, const
     if (method->is_ours()) {
       cells.insert(cells.end(), {fmt::to_string(row->kappa_polytope), fmt::to_string(row->kappa_rounded),
                                  number(row->kappa_contact), number(row->width)});
-    } else {  // what another's promise is made of need be no kappa
+    } else {  // a third-party guarantee need not have a kappa
       cells.insert(cells.end(), 4, "-");
     }
     if (turning) {

@@ -26,7 +26,7 @@ Json finite_or_null(double x) {
   return std::isfinite(x) ? Json(x) : Json();
 }
 
-// What a row promises, in words; errors in units of the case's scale.
+// The terms of a guarantee in words, with errors in units of the case's scale.
 std::string promise_of(const Method& method) {
   const engine::Guarantee* row = method.guarantee;
   if (row == nullptr) return "promises nothing";
@@ -140,7 +140,7 @@ class Report {
     return families_.size() - 1;
   }
 
-  // Of each method on each family that it was asked about; and what of it is worth naming.
+  // A cell for each method and family that it was asked about, with the notable cases.
   Json cells() {
     Json out = Json::array();
     for (const Tally& tally : in_.certification.tallies) {
@@ -171,7 +171,7 @@ class Report {
     return out;
   }
 
-  // Of a method the answer that took the most support evaluations.
+  // Notes the method's answer that took the most support evaluations.
   void note_costliest(const Method& method) {
     const Tally* most = nullptr;
     for (const Tally& tally : in_.certification.tallies) {
@@ -245,7 +245,7 @@ class Report {
     return out;
   }
 
-  // What can be looked at, by its id; each with the answers of the methods that it is named for.
+  // The scenes that can be viewed, by id, each with the answers of the methods that it is named for.
   Json scenes() const {
     std::vector<std::string> order;
     std::map<std::string, std::pair<corpus::Case, std::vector<const Method*>>> chosen;

@@ -1,4 +1,5 @@
-// A certification as a page to look at (reports/pages/page.hpp): the verdict, who keeps what and at what price, the worst cases.
+// A certification as a page (reports/pages/page.hpp): the verdict, the methods with their guarantees and times, and the
+// worst cases.
 #pragma once
 
 #include <string>
@@ -15,9 +16,9 @@ struct ReportInput {
   const WorstCases& worst;
   const std::vector<EngineFinding>& findings;
   double seconds = 0;
-  std::string command;           // that made the report
+  std::string command;           // the command that made the report
   std::string plain;             // the tables as text, for a page without the viewer
-  std::size_t most_scenes = 40;  // of the cases that are named, those that can be looked at; the worst first
+  std::size_t most_scenes = 40;  // named cases that can be viewed, the worst first
 };
 
 // The whole of index.html.

@@ -26,7 +26,7 @@ bool is_contact(Outcome outcome) {
   return outcome == Outcome::hit || outcome == Outcome::initially_overlapping;
 }
 
-// Of the first kind that there is.
+// The first fault that is not empty.
 std::string first_of(std::initializer_list<const std::string*> faults) {
   for (const std::string* fault : faults) {
     if (!fault->empty()) return *fault;
@@ -84,7 +84,7 @@ double forward_error(const oracle::RotatingTruth& truth, double time, double spe
 }
 
 Measured measure_rotating(const Case& problem, const engine::Method& method, Truth& truth) {
-  // What a caller gets by default; a normal and witnesses are judged elsewhere.
+  // The answer that a caller gets by default. A normal and witnesses are judged elsewhere.
   const engine::Answer answer = method.answer(problem);
   const Judgement judgement = judge(truth, method, answer, Request::verdict, true);
   Measured measured = begun(truth.problem(), judgement);
@@ -108,7 +108,7 @@ Measured measure_rotating(const Case& problem, const engine::Method& method, Tru
   return measured;
 }
 
-// No question for an engine of others.
+// True if the case is not a question for a third-party engine.
 bool is_refused(const Case& problem, const engine::Method& method) {
   return !method.is_ours() && (!law::in_domain(problem) || !method.refuses(problem).empty());
 }
@@ -151,8 +151,8 @@ struct Place {
   std::uint64_t seed = 0;
 };
 
-// `count` of each level, from the first seed on. Where engines of others alone are asked, those that one of them takes,
-// as far as kSoughtSeeds times as many seeds have them.
+// `count` cases of each level, from the first seed on. If only third-party engines are asked, the cases are those that
+// one of them takes, found in at most kSoughtSeeds times as many seeds.
 std::vector<Place> places_of(const corpus::Family& family, const std::vector<const engine::Method*>& methods,
                              std::size_t count, std::uint64_t seed) {
   const bool has_ours = std::any_of(methods.begin(), methods.end(),

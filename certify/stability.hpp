@@ -19,17 +19,18 @@ namespace graze::tool {
 
 inline constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
-// What the oracle says of one answer, to the case as the method saw it. Lengths are over scale. A miss that
-// is right has no errors; nor has a stall, which is counted.
+// The oracle's measurement of one answer to the case as the method saw it. Lengths are over scale. A correct
+// miss has no errors. An answer that did not converge has none either, and is counted.
 struct Measured {
   bool rounded = false;  // else polytopes, target distance 0
-  bool asked = true;     // false: not for the method's tier, or none that an engine of others takes
+  bool asked = true;     // false if the method's tier or a third-party engine does not take the case
   bool wrong = false, stalled = false, late = false;
-  bool failed = false;             // an engine of others crashed, hung, or wrote what is no answer
-  double backward = kNotMeasured;  // of the bracket's worse end; of a wrong verdict what it denies, at least
-  double forward = kNotMeasured;   // of the worse end; of a wrong verdict there is none
-  double denied = kNotMeasured;    // of a wrong verdict: the clearance or the depth
-  std::string fault;               // no answer, or verdict or time, by more than the method's row grants
+  bool failed = false;             // a third-party engine crashed, hung, or wrote an invalid answer
+  double backward = kNotMeasured;  // at the bracket's worse end, for a wrong verdict a lower bound on
+                                   // `denied`
+  double forward = kNotMeasured;   // at the worse end, absent for a wrong verdict
+  double denied = kNotMeasured;    // the clearance or depth that a wrong verdict denies
+  std::string fault;               // invalid answer, or verdict or time beyond the method's guarantee
 };
 
 // One method on the cases of one level.
@@ -40,7 +41,7 @@ struct LevelErrors {
   double denied = kNotMeasured;  // the largest
 
   void add(const Measured& measured);
-  void add(const LevelErrors& other);  // of the same level
+  void add(const LevelErrors& other);  // other is of the same level
 };
 
 // One method on one family, on polytopes or on shapes that are round.
@@ -50,39 +51,39 @@ struct Curve {
   std::optional<engine::Guarantee> row = {};
   std::string family;
   bool rotating = false, rounded = false;
-  std::vector<LevelErrors> levels = {};  // of the family, in its order
+  std::vector<LevelErrors> levels = {};  // the levels of the family, in its order
   std::string first_fault = {};          // the case and why
 
   [[nodiscard]] LevelErrors total() const;
-  // The level of the largest backward error; nullptr if none was measured.
+  // The level with the largest backward error, or nullptr if none was measured.
   [[nodiscard]] const LevelErrors* hardest() const;
-  // Does the row promise anything about every answer? False without one, and where it lets contacts be
-  // missed.
+  // True if the guarantee covers every answer. False without a guarantee, and if it lets contacts be missed.
   [[nodiscard]] bool claims_stability() const;
-  // No fault, and no more stalls than the row's share of the cases, rounded up. True without a row.
+  // No fault, and the number of unconverged answers is at most the guarantee's share of the cases, rounded
+  // up. True without a guarantee.
   [[nodiscard]] bool holds() const;
 };
 
 struct StabilitySettings {
-  std::vector<const engine::Method*> methods = {};  // of casts; those of a family's kind are measured on it
+  std::vector<const engine::Method*> methods = {};  // methods of casts, each measured on families of its kind
   std::size_t count = 1, rotating_count = 1;        // cases a level
   std::uint64_t seed = 1;
   unsigned threads = 1;  // the result does not depend on them
-  // Asked between cases: whether to stop. What is measured then is kept.
+  // Called between cases: true ends the run. The measurements until then are kept.
   std::function<bool()> stop = [] { return false; };
 };
 
 struct FamilyStability {
   std::string family, hardness_meaning;
-  std::size_t cases = 0;           // that were measured
+  std::size_t cases = 0;           // measured cases
   bool stopped = false;            // before all were
-  std::vector<Curve> curves = {};  // by method, polytopes first; of kinds that occur
+  std::vector<Curve> curves = {};  // by method, polytopes first, only kinds that occur
   struct Skipped {
     std::string method = {};
     std::size_t cases = 0;
   };
-  std::vector<Skipped> skipped = {};         // of engines of others: what they do not take
-  std::vector<corpus::Case> convicted = {};  // cases on which some method is at fault or stalled
+  std::vector<Skipped> skipped = {};         // cases that third-party engines do not take
+  std::vector<corpus::Case> convicted = {};  // cases with a method at fault or not converged
 };
 
 [[nodiscard]] FamilyStability measure_family(const corpus::Family& family, const StabilitySettings& settings);

@@ -15,10 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What is 0, or too small to matter, is drawn on the lowest line; what is above the highest on that.
+// A value of 0, or one too small to matter, is drawn on the lowest line. A value above the highest line is
+// drawn on that.
 constexpr const char* kShown = "f(x) = x != x ? NaN : x < 1e-20 ? 1e-20 : x > 10 ? 10 : x";
 
-// Okabe and Ito's colours, told apart by the colour-blind; filled marks for double, hollow ones for float.
+// Okabe and Ito's colours, which colour-blind readers can tell apart. Marks are filled for double and hollow
+// for float.
 struct Look {
   const char* color;
   int filled, hollow;
@@ -54,7 +56,7 @@ std::vector<std::size_t> legend_order(const std::vector<Curve>& curves) {
   return order;
 }
 
-// Long names want fewer columns.
+// Long names need fewer columns.
 std::string key_shape(const std::vector<Curve>& curves) {
   return fmt::format("vertical maxrows {} Left reverse samplen 3 width -1 noenhanced",
                      curves.size() > 10 ? 6 : 2);
@@ -86,7 +88,7 @@ struct Panel {
   const char* title;
   int column;
   bool left, top;
-  bool kappa_shown = false;  // 64 u scale, what a standard tier may err
+  bool kappa_shown = false;  // 64 u scale, the error bound of a standard tier
 };
 constexpr Panel kPanels[] = {{"backward error, worst", 4, true, true},
                              {"backward error, median", 5, false, true},
@@ -126,7 +128,7 @@ void write_panel(OutputFile& script, const Panel& panel, const std::string& data
   script.write_line(plots);
 }
 
-// The title; and the legend, which has a strip of its own below the panels.
+// Writes the title and the legend, which has a strip of its own below the panels.
 void write_legend(OutputFile& script, const std::vector<Curve>& curves,
                   const std::vector<std::string>& styles, const FamilyStability& family) {
   script.write_line("unset title; unset xlabel; unset ylabel; unset tics; unset border; unset grid");

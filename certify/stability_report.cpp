@@ -13,7 +13,7 @@
 namespace graze::tool {
 namespace {
 
-// The tier of engines of others.
+// The tier of third-party engines.
 constexpr std::string_view kDeclared = "declared";
 
 std::string shapes_text(const Curve& curve) { return curve.rounded ? "round" : "polytopes"; }
@@ -222,7 +222,7 @@ std::string summary_table(const std::vector<Curve>& curves) {
                {"late"},
                {"not con-\nverged"},
                {"holds", Align::left}});
-  // Of each method and kind of shapes the first is the worst.
+  // The first curve of each method and kind of shapes is its worst.
   std::vector<const Curve*> firsts;
   const std::vector<const Curve*> sorted = worst_first(curves);
   for (const bool rounded : {false, true}) {

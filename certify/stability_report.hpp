@@ -5,7 +5,7 @@
 
 namespace graze::tool {
 
-// A method breaks where more than half of its digits are lost: a forward error above sqrt(u) of scale.
+// A method breaks down at a loss of more than half of its digits: a forward error above sqrt(u) of scale.
 [[nodiscard]] double broken_forward(double unit_roundoff);
 
 // One line about a family, as soon as it is measured.
@@ -14,16 +14,16 @@ namespace graze::tool {
 // The curves of a family, a row a level.
 [[nodiscard]] std::string level_table(const FamilyStability& family);
 
-// A row for each method and family, at its worst; by method, the worst family first.
+// A row for each method and family at its worst level, by method, the worst family first.
 [[nodiscard]] std::string stability_table(const std::vector<Curve>& curves);
 
-// The levels from which on forward errors, verdicts and stalls get bad, for the curves where they do.
+// For each curve, the levels from which on forward errors, verdicts and convergence fail.
 [[nodiscard]] std::string break_table(const std::vector<Curve>& curves);
 
-// A row for each method: where it is at its worst, what it claims, and whether that holds.
+// A row for each method: its worst level, its claim, and whether the claim holds.
 [[nodiscard]] std::string summary_table(const std::vector<Curve>& curves);
 
-// What does not hold, a line each.
+// The broken guarantees, one line each.
 [[nodiscard]] std::vector<std::string> breaches(const std::vector<Curve>& curves);
 
 }  // namespace graze::tool

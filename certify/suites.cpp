@@ -20,7 +20,7 @@ using corpus::Case;
 // A vertex pair each: beyond, an exact answer takes a tenth of a second.
 constexpr std::uint64_t kMostDifferences = 1u << 12;
 
-// Of a suite, evenly spread, to find small ones among them.
+// The number of cases of a suite, evenly spread, among which small ones are sought.
 constexpr std::size_t kMostLookedAt = 10000;
 
 std::uint64_t differences(const Case& problem) {

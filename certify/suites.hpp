@@ -1,5 +1,5 @@
-// What is certified on: cases of one family or one file, and the questions that each kind of method is asked
-// about them.
+// The suites that are certified: the cases of one family or one file, and the questions that each kind of method is
+// asked about them.
 #pragma once
 
 #include <functional>
@@ -12,16 +12,17 @@
 
 namespace graze::tool {
 
-// Given cases, or as many as wanted, each generated when it is asked for.
+// The given cases, or the requested number, each generated when it is needed.
 struct Suite {
-  engine::Kind kind = engine::Kind::linear;  // of the methods that are asked
+  engine::Kind kind = engine::Kind::linear;  // the kind of methods that are asked
   std::string family;
   std::vector<corpus::Case> cases = {};
   std::size_t drawn = 0;
   std::function<corpus::Case(std::size_t)> draw = {};
-  // The exact oracle measures every so many of them, beside what it must decide.
+  // The exact oracle measures one in this number, in addition to those that it must decide.
   std::size_t oracle_every = 1;
-  // Of queries: the bodies of linear casts, which are asked every query; else each case is asked its own.
+  // For suites of queries: true if the suite has the bodies of linear casts, which are asked every query. Otherwise
+  // each case is asked its own query.
   bool asks_every_query = false;
 
   [[nodiscard]] std::size_t size() const { return cases.size() + drawn; }
@@ -30,14 +31,14 @@ struct Suite {
   }
 };
 
-// Case i of a suite as a method is asked it; nothing where it is no question for the method's query, or, of a
-// query, where the method's scalar makes it one outside the domain.
+// Case i of a suite as a method is asked it. Nothing if it is not a question for the method's query, or if the method's
+// scalar puts a query's case outside the domain.
 [[nodiscard]] std::optional<corpus::Case> question_for(const Suite& suite, std::size_t i,
                                                        const corpus::Case& problem,
                                                        const engine::Method& method);
 
-// The families by these names; without a name every family, unless files are given instead. Throws
-// std::runtime_error with one line to show for a name that is none.
+// The families with these names. Without a name, every family, or none if files are given. Throws std::runtime_error
+// with a one-line message for an unknown name.
 [[nodiscard]] std::vector<const corpus::Family*> wanted_families(const std::vector<std::string>& names,
                                                                  bool files_are_given);
 
@@ -47,8 +48,9 @@ struct Suite {
 [[nodiscard]] Suite drawn_suite(const corpus::Family& family, std::span<const double> levels,
                                 std::size_t count, std::uint64_t seed);
 
-// The same, out of the cases that `takes` is true of; of each level looked for among so many times its share of seeds
-// (kSoughtSeeds), so that an engine that knows few shapes is asked about those. Fewer where there are no more.
+// The same, for cases for which `takes` is true. Each level looks for its share of cases among kSoughtSeeds times as
+// many seeds. An engine that knows few shapes is thus asked about those shapes. There are fewer cases if no more are
+// found.
 inline constexpr std::size_t kSoughtSeeds = 24;
 [[nodiscard]] Suite sought_suite(const corpus::Family& family, std::span<const double> levels,
                                  std::size_t count, std::uint64_t seed,
@@ -60,7 +62,7 @@ inline constexpr std::size_t kSoughtSeeds = 24;
 
 [[nodiscard]] bool is_small(const corpus::Case& problem);
 
-// Why the query of a case cannot be judged; empty if it can.
+// Why the query of a case cannot be judged. Empty if it can.
 [[nodiscard]] std::string why_unjudged(const corpus::Case& problem);
 
 }  // namespace graze::tool

@@ -1,5 +1,5 @@
-// A method on a family: how many answers have which fault, what is no fault by itself, how large the errors
-// were, and whether the method's guarantee holds there.
+// The results of a method on a family: the number of answers with each fault, other counts, the size of the errors, and
+// whether the method's guarantee holds there.
 #pragma once
 
 #include <array>
@@ -19,22 +19,22 @@ struct Tally {
   std::string family;
   bool is_drawn = false;               // a generated family, and not cases that were given
   std::size_t cases = 0, skipped = 0;  // those that are no question for the method are no cases of its row
-  std::size_t declined = 0;            // asked, and answered with unsupported; no cases either
+  std::size_t declined = 0;            // asked, and answered with unsupported, not counted as cases
   std::array<std::size_t, law::kFaults> faults = {};  // answers by their worst, one of law::kFaultKinds
   std::size_t at_fault = 0;                           // answers with any
   std::size_t stalled = 0, within_tolerance = 0, hidden = 0, open = 0;
-  // Open answers, whether that is within the guarantee or not: not_converged, or a bracket that says of itself that it is
-  // wide. `stalled` counts those of them that the guarantee does not grant.
+  // Open answers, within the guarantee or not: not_converged, or a bracket that is flagged as wide. `stalled` counts
+  // those that the guarantee does not grant.
   std::size_t left_open = 0;
   std::size_t accepted = 0, refused = 0, unproved = 0;  // by their proofs
   std::size_t by_oracle = 0;
   // Over scale, of the cases that the oracle measured.
   std::vector<double> forward = {}, backward = {}, normal = {}, witness = {};
   std::vector<double> true_backward = {};  // the same against the input before rounding to float
-  std::vector<double> ns = {};             // of the cases that were timed
+  std::vector<double> ns = {};             // times of the timed cases
   std::vector<double> supports = {};
 
-  // The largest, and the case that has it; NaN where there is none.
+  // The largest value, and its case. NaN if no case was counted.
   struct Worst {
     double value = std::numeric_limits<double>::quiet_NaN();
     std::string id = {};
@@ -52,10 +52,10 @@ struct Tally {
   // The first case of each kind, and its reason.
   struct Example {
     std::string id = {}, reason = {};
-    corpus::Case problem = {};  // of engines of others
+    corpus::Case problem = {};  // set for third-party engines
   };
   std::array<Example, law::kFaults> first = {};
-  // Of engines of others: by what kept an answer from being one.
+  // For third-party engines: the failures by kind.
   struct Failed {
     std::size_t count = 0;
     Example first = {};
@@ -64,27 +64,28 @@ struct Tally {
   Example first_stalled = {}, first_open = {};
 
   void add(const corpus::Case& problem, const law::Judgement& judgement);
-  // Of the same method on another family, which it then stands for as well.
+  // Adds the tally of the same method on another family. The sum then covers both.
   void add(const Tally& other);
 };
 
 // The part of its questions that an engine may decline.
 inline constexpr double kMostDeclined = 0.1;
-// Of a method's total: that it declines more, in words; empty if not.
+// A message if a method's total declines more than kMostDeclined. Empty otherwise.
 [[nodiscard]] std::string declines(const Tally& total);
 
-// Of a generated family that is made of ties, bodies that touch or pass within the width, so many cases may be left open in
-// place of the guarantee's open_cap: rather more than the 16 % of `sliding` and the 25 % of `pure_spin` that are.
+// The fraction of unconverged answers that is allowed in a generated family of ties, where bodies touch or pass within
+// the width. It replaces the guarantee's open_cap. It is well above the 16 % of `sliding` and the 25 % of `pure_spin`
+// that are open.
 inline constexpr double kOpenOfTies = 0.3;
 [[nodiscard]] bool is_made_of_ties(const std::string& family);
 
-// Are more answers open than the guarantee's caps? Of those that it does not grant (stall_cap); of all in a generated
-// family (open_cap), where one alone never is too many.
+// True if more answers are open than the guarantee's caps allow. stall_cap bounds the open answers that the guarantee
+// does not grant. open_cap bounds all open answers in a generated family. A single open answer is always allowed.
 [[nodiscard]] bool is_above_stall_cap(const Tally& tally);
 [[nodiscard]] bool is_above_open_cap(const Tally& tally);
 
-// What of the method's guarantee does not hold in this tally, a line each: the row, the family, how many, and
-// by which case. Without a row nothing is promised and nothing can break.
+// The parts of the method's guarantee that this tally breaks, one line each: the guarantee, the family, how many, and
+// the case. Empty without a guarantee.
 [[nodiscard]] std::vector<std::string> breaches(const Tally& tally);
 
 }  // namespace graze::tool

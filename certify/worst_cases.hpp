@@ -1,5 +1,5 @@
-// Which cases a report names: of each method and family the first of every fault, the one whose error is the largest
-// part of its limit, and the one that took the most support evaluations.
+// The cases that a report names. For each method and family these are the first case of every fault, the case with the
+// largest error relative to its limit, and the case with the most support evaluations.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ class WorstCases {
     int supports = 0;
     Place place = {};
   };
-  // Of a method on a family.
+  // A method on a family.
   struct Cell {
     std::optional<Named> worst = {}, costliest = {};
     std::array<std::optional<Named>, law::kFaults> faults = {};
@@ -38,7 +38,7 @@ class WorstCases {
   // Told of every judgement, as Settings::judged is.
   void note(const Suite& suite, std::size_t i, const engine::Method& method, const law::Judgement& judgement);
 
-  // nullptr where nothing of the method and family is kept.
+  // nullptr if no case of the method and family is kept.
   [[nodiscard]] const Cell* find(const engine::Method& method, const std::string& family) const;
 
  private:

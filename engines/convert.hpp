@@ -1,7 +1,7 @@
 // A case in the scalar of a method: every number rounded to the nearest S. In double nothing changes.
 //
-// A magnitude beyond the range of float becomes infinite, and the method then refuses the case; one below it
-// becomes a subnormal or 0, and the case means what it then says.
+// A magnitude beyond the range of float becomes infinite, and the method then refuses the case. A magnitude
+// below it becomes a subnormal or 0, and the case changes accordingly.
 #pragma once
 
 #include <graze/rotating_body.hpp>
@@ -83,15 +83,15 @@ template <Scalar To, Scalar From>
           .displacement = round_to<To>(body.displacement)};
 }
 
-// A body of a case, and how it turns.
+// A body of a case, and its rotation.
 template <Scalar To>
 [[nodiscard]] RotatingBody<To> round_to(const Body<double>& body, const corpus::Spin& spin) {
   return {
       .body = round_to<To>(body), .rotation = round_to<To>(spin.rotation), .pivot = round_to<To>(spin.pivot)};
 }
 
-// The case with every number of its question rounded to S and written as a double again. What is expected of
-// the given numbers need not hold for these, so `expect` survives only where nothing changes.
+// The case with every number of its question rounded to S and written as a double again. The expected answer
+// of the given numbers need not hold for the rounded ones, so `expect` is kept only if no number changes.
 template <Scalar S>
 [[nodiscard]] corpus::Case rounded_case(const corpus::Case& problem) {
   if constexpr (std::same_as<S, double>) {

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Beyond these a row must say by which mechanism.
+// A guarantee above these must name the mechanism.
 constexpr double kPlainKappa = 1024;
 
 constexpr std::string_view kRotating = "rotating";
@@ -72,7 +72,7 @@ Guarantee parse_row(const Json& row, const std::string& where) {
   for (const auto& [key, value] : row.items()) {
     if (!kFields.contains(key)) refuse(where + "." + key, "is not a field of a row");
   }
-  // Without it: a row about casts.
+  // Default: a guarantee about casts.
   const std::string query = row.contains("query") ? text_field(row, where, "query") : "cast";
   const bool rotating = query == kRotating;
   if (!rotating &&

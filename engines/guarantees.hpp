@@ -1,4 +1,4 @@
-// What each method promises, and what `graze certify` holds it to. docs/reference/guarantees.md explains a row.
+// The guarantee of each method, by which `graze certify` judges it. docs/reference/guarantees.md explains the fields.
 #pragma once
 
 #include <optional>
@@ -16,20 +16,20 @@ struct ProofRecord;  // corpus/format/proof_io.hpp
 
 namespace graze::engine {
 
-// What the motion may do unseen by a rotating method.
+// The contacts during the motion that a rotating method may miss.
 enum class Unseen {
   nothing,        // more than kappa u scale deep
-  hidden_motion,  // what is less deep than the answer's hidden_motion, and kappa u scale
+  hidden_motion,  // contacts less deep than the answer's hidden_motion plus kappa u scale
   anything,
 };
 
-// A row whose cap is greater says by which mechanism.
+// A guarantee with a greater cap names the mechanism.
 inline constexpr double kPlainStallCap = 0.001;
 
-// What an engine of others promises to say of bodies that touch and go no deeper.
+// The promise of a third-party engine about bodies that touch and go no deeper.
 enum class Touching { either, contact, miss };
 
-// What it promises of the normal of a start in contact.
+// The promise of a third-party engine about the normal of a start in contact.
 enum class StartNormal {
   any,                // nothing but that it is a unit vector, if there is one
   least_penetration,  // B moved along it by the least distance that parts the bodies parts them
@@ -40,13 +40,13 @@ enum class StartNormal {
 inline constexpr double kOwnFramesOfCertified = 0x1p-84;
 
 struct Guarantee {
-  std::string query = "cast";  // or a query beside the cast, or "rotating"
+  std::string query = "cast";  // or a query other than the cast, or "rotating"
   std::string method, scalar, tier;
   // kappa: errors up to kappa u scale are within the guarantee. u: unit roundoff of the scalar.
   double kappa_polytope = 0;  // points, boxes and hulls, target distance 0
   double kappa_rounded = 0;   // a sphere, or a target distance
-  // Of tiers certified and exact kappa is 0, of the verdict and both bounds; its normals and witnesses are
-  // doubles, held to this kappa. Absent from a row: as the kappas above.
+  // For tiers certified and exact, kappa is 0 for the verdict and both bounds. Their normals and witnesses are doubles,
+  // and this kappa bounds their errors. Absent: the kappas above hold.
   std::optional<double> kappa_contact = {};
   double stall_cap = 0;  // the largest fraction of a family's cases that may end not_converged
   // The largest number of support evaluations (Counters::supports) that any valid input needs with the options' defaults:
@@ -55,16 +55,16 @@ struct Guarantee {
   // The largest fraction of a generated family's cases that may end not_converged for whatever reason, ties within the
   // width included. Absent: those are not capped.
   std::optional<double> open_cap = {};
-  std::string mechanism;  // why, where a kappa exceeds 1,024 or the cap 1 in 1,000; else empty
+  std::string mechanism;  // the reason for a kappa above 1,024 or a cap above 1 in 1,000, else empty
 
   // Rows of "rotating": how deep a contact may be that a miss denies, and one that toi_lower has passed.
   Unseen may_miss = Unseen::nothing, may_be_late = Unseen::nothing;
-  // Over scale: how far either end of a hit's bracket may be from contact, where that is not kappa u. Of tier
-  // certified, whose kappa is 0: what stays undecided has a clearance or depth below it.
+  // Over scale: how far either end of a hit's bracket may be from contact, if that is not kappa u. For tier certified,
+  // whose kappa is 0, undecided cases have a clearance or depth below it.
   std::optional<double> width = {};
 
-  // Engines of others may promise lengths beside kappa: one as it is, one over scale; and lengths by which
-  // their times may be early.
+  // Third-party engines may promise lengths beside kappa: an absolute tolerance, one over scale, and the length by
+  // which their times may be early.
   double tolerance = 0, relative_tolerance = 0, early = 0;
   // And one that grows with the bodies' own frames: for each number that the shapes are given by, over the sum of the
   // lengths among these numbers. How a scalar's last bits limit bodies that lie far out in their own frames.
@@ -91,17 +91,18 @@ struct Guarantee {
 // The table built into the library (engines/guarantees.json).
 [[nodiscard]] std::span<const Guarantee> guarantees();
 
-// Reads a table from JSON text; throws std::runtime_error, whose message names the row and the field.
+// Reads a table from JSON text. Throws std::runtime_error with a message that names the guarantee and the field.
 [[nodiscard]] std::vector<Guarantee> parse_guarantees(std::string_view text);
 
-// The row with these names in a table: nullptr if there is none.
+// The guarantee with these names in a table, or nullptr if there is no such guarantee.
 [[nodiscard]] const Guarantee* find_guarantee(std::span<const Guarantee> table, std::string_view query,
                                               std::string_view method, std::string_view scalar,
                                               std::string_view tier);
-// The row of a method in a table: nullptr if it has none, and then it promises nothing.
+// The guarantee of a method in a table, or nullptr if it has none and promises nothing.
 [[nodiscard]] const Guarantee* find_guarantee(std::span<const Guarantee> table, const Method& method);
 
-// kappa of the guarantee that a record of a proof names by its method, scalar and tier; 0 if none of ours has these names.
+// The kappa of the guarantee that a proof record names by its method, scalar and tier. 0 if none of ours has these
+// names.
 [[nodiscard]] double kappa_of(const corpus::ProofRecord& record);
 
 }  // namespace graze::engine

@@ -1,7 +1,7 @@
 // A hull in a method's scalar, with adjacency if the given one has it.
 //
-// To derive adjacency takes longer than most that is asked of the hull, and a case is asked many times. So the last few
-// are kept, by what they were made from.
+// Deriving adjacency takes longer than most questions about the hull, and a case is asked many times. So the last few
+// hulls are kept, by the input they were made from.
 //
 //   GRAZE_OWN_HULLS       a hull is made anew in double, too, by the code that a method is compiled from. Trials of the
 //                         laws ask for it: what is planted there would else never make the hulls that methods are given
@@ -25,8 +25,8 @@ inline constexpr bool kOwnHulls = true;
 inline constexpr bool kOwnHulls = false;
 #endif
 
-// The last few that were made, each beside what it was made from: which is kept, too, so that no other comes to lie where
-// its adjacency is.
+// The last few hulls, each with the input it was made from. The input is kept too, so that no other input can occupy
+// the address of its adjacency.
 template <Scalar To, Scalar From>
 class KeptHulls {
  public:

@@ -1,4 +1,4 @@
-// Our queries beside the cast as engines: a case in, an answer in doubles out.
+// Our queries other than casts as engines: a case in, an answer in doubles out.
 #include <graze/distance.hpp>
 #include <graze/line.hpp>
 #include <graze/overlap.hpp>
@@ -21,7 +21,7 @@ Vec3<double> widened(const Vec3<S>& v) {
   return v.template cast<double>();
 }
 
-// What all results have in common.
+// Starts an answer with the fields that all results share.
 template <class Result>
 Answer begun(const Result& result, Outcome outcome) {
   Answer answer;
@@ -32,7 +32,7 @@ Answer begun(const Result& result, Outcome outcome) {
   return answer;
 }
 
-// Unasked for they are zero; where they are not, it shows.
+// Witnesses that were not requested are zero. If they are not, the answer shows them.
 template <class Result>
 void add_points(Answer& answer, const Result& result, Request request) {
   if (!asks_for(request, Request::witnesses) && result.point_a.isZero(0) && result.point_b.isZero(0)) return;
@@ -76,7 +76,7 @@ Answer of_penetration(const PenetrationResult<S>& result, const Ask& ask) {
   }
   return answer;
 }
-// What an Ask says of every search.
+// Copies the part of an Ask that every search has.
 template <Scalar S, class Options>
 Options searching(Options options, const Ask& ask) {
   if constexpr (requires { options.tolerance; }) options.tolerance = static_cast<S>(ask.tolerance);
@@ -116,8 +116,8 @@ Answer of_swept(const SweptOverlapResult<S>& result, const Ask&) {
   return answer;
 }
 
-// A method of a call, with bodies of its scalar, and of what makes an answer of the call's result. The call
-// alone is timed.
+// Builds a method from a call with bodies of its scalar, and from a function that turns the result into an
+// answer. Only the call is timed.
 template <Scalar S, class Call, class Widen>
 Method method_of(Query query, const char* name, const char* tier, const Call& call, const Widen& widen) {
   return {.kind = Kind::query,

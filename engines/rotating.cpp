@@ -9,7 +9,8 @@
 namespace graze::engine {
 namespace {
 
-// What a name stands for: a method of tier standard, the plan's choice, or the plan's in tier certified.
+// The meaning of a name: a method of tier standard, the plan's choice, or the plan's choice in tier
+// certified.
 struct Way {
   std::optional<RotatingMethod> method = {};
   Tier tier = Tier::standard;

@@ -1,5 +1,5 @@
-// How long a call takes: the median over batches, in nanoseconds of processor time. What else the machine does
-// meanwhile is not the call's, though it takes caches from it.
+// Measures the time of a call: the median over batches, in nanoseconds of processor time. Other work of the machine is
+// not counted, although it evicts caches.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ void keep(const T& value) {
   asm volatile("" : : "g"(&value) : "memory");
 }
 
-// Of this thread.
+// The processor time of this thread.
 inline double processor_ns() {
   std::timespec now{};
 #ifdef CLOCK_THREAD_CPUTIME_ID

@@ -15,7 +15,7 @@
 
 namespace {
 
-// The command that the line names, as far as it was read: "corpus add"; empty: none yet.
+// The command that the line names, up to the part that was parsed: "corpus add". Empty if no command was read yet.
 const CLI::App& named_command(const CLI::App& app, std::string& words) {
   const auto parsed = app.get_subcommands();
   if (parsed.empty()) return app;
@@ -23,7 +23,7 @@ const CLI::App& named_command(const CLI::App& app, std::string& words) {
   return named_command(*parsed.front(), words);
 }
 
-// What a command that is given nothing to do it with wants.
+// The missing input of a command that was given nothing to work on.
 std::string wanted_by(const std::string& words, const CLI::Option& missing) {
   static const std::map<std::string, std::string> kWanted = {
       {"cast", "a case file"},
@@ -43,7 +43,7 @@ std::string wanted_by(const std::string& words, const CLI::Option& missing) {
   return known != kWanted.end() ? known->second : missing.get_name();
 }
 
-// What was wrong with the command line, and where it says what would be right.
+// The error in the command line, and where to find the correct form.
 std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
   std::string words;
   const CLI::App& command = named_command(app, words);

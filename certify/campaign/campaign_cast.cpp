@@ -20,14 +20,14 @@ namespace {
 using engine::Kind;
 using engine::Method;
 
-// Of turning bodies every other answer is without a proof; a query has none.
+// For rotating bodies, every other answer is computed without a proof. A query has no proof.
 Request request_of(const Method& method, const DrawnCase& drawn) {
   if (method.kind == Kind::query || !drawn.judged) return engine::kPlain;
   const bool whole = method.kind == Kind::linear || drawn.seed % 2 == 0;
   return whole ? Request::everything : engine::kPlain;
 }
 
-// The proof that the method has when it is asked for one; why it is refused, or empty.
+// Why the proof is refused that the method returns on request. Empty if it is accepted.
 std::string refusal_of_proof(law::Truth& truth, const Method& method, const corpus::Case& problem) {
   const engine::Answer answer = method.ask(problem, {.request = Request::everything});
   if (!answer.rotating_proof) return {};
@@ -36,13 +36,13 @@ std::string refusal_of_proof(law::Truth& truth, const Method& method, const corp
   return fmt::format("{}: {}", to_string(verdict.refusal), verdict.detail);
 }
 
-// What is counted and not judged where a case is not: an answer that converged, with times that make sense.
+// The check of an answer that is counted without being judged: it converged, and its times make sense.
 bool is_answer(const Method& method, const engine::Answer& answer, double t_max) {
   return answer.outcome != Outcome::not_converged && answer.outcome != Outcome::invalid_input &&
          (method.kind == Kind::query || law::senseless(answer, t_max).empty());
 }
 
-// Its work is judged all the same: that takes no truth.
+// The number of support evaluations is judged even then, because it needs no truth.
 law::Judgement unjudged(const Method& method, const corpus::Case& problem, const engine::Answer& answer) {
   law::Judgement judgement;
   judgement.outcome = answer.outcome;
@@ -77,7 +77,7 @@ std::string CampaignCast::reason() const {
 corpus::Case question_of(Kind kind, corpus::Query query, const DrawnCase& drawn) {
   if (kind != Kind::query) return drawn.problem;
   corpus::Case question = law::question_for(drawn.problem, query, drawn.seed);
-  // Where bodies stay where they are, the case has no other id yet.
+  // If the bodies do not move, the case has no other id yet.
   if (question.id == drawn.problem.id) question.id.append("/").append(corpus::name_of(query));
   return question;
 }

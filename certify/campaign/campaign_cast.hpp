@@ -23,26 +23,28 @@ struct AnswerWords {
 
 struct CampaignCast {
   AnswerWords answer;
-  law::Judgement judgement = {};  // of tier exact a stall is a fault, and is counted once
+  law::Judgement judgement = {};  // for tier exact, an answer that did not converge is a fault and counts
+                                  // once
   std::string undecided = {};     // why the oracle, which was asked, could not tell
 
-  [[nodiscard]] std::string reason() const;  // the first fault, or what stalled
+  [[nodiscard]] std::string reason() const;  // the first fault, or the part that did not converge
 };
 
-// A case as a contender is asked it: of queries another than what was drawn.
+// A case as a contender is asked it. For queries it differs from the drawn case.
 [[nodiscard]] corpus::Case question_of(const engine::Method& contender, const DrawnCase& drawn);
 [[nodiscard]] corpus::Case question_of(engine::Kind kind, corpus::Query query, const DrawnCase& drawn);
 
-// One case and what is found out about it, for all contenders that are asked. One thread.
+// A case and the facts found about it, shared by all contenders that are asked. For one thread.
 class CaseJudge {
  public:
   explicit CaseJudge(DrawnCase drawn) : drawn_(std::move(drawn)) {}
   [[nodiscard]] const DrawnCase& drawn() const { return drawn_; }
 
-  // Asked for everything, with its proof; of turning bodies every other answer is without one, since the plan
-  // simulates less then, and is held to the proof that the method has of the same case. The oracle decides
-  // what proofs leave open and, of a case that is sampled, the rest as well; a query has no proof, and only
-  // the oracle. What an engine of others says is measured by the oracle, where it is judged. Does not throw: a judge that cannot judge convicts with its reason.
+  // Requests everything, with the proof. For rotating bodies, every other answer is requested without one, because the
+  // plan simulates less then. It is compared with the proof that the method has of the same case. The oracle decides
+  // the cases that proofs leave open and all sampled cases. A query has no proof, so only the oracle judges it. The
+  // oracle measures the answers of a third-party engine if they are judged. Does not throw: if the judge itself fails,
+  // the answer is reported as at fault, with the judge's error as the reason.
   [[nodiscard]] CampaignCast ask(const engine::Method& contender);
 
  private:
@@ -52,11 +54,11 @@ class CaseJudge {
   [[nodiscard]] law::Truth& truth_of(const engine::Method& method, corpus::Case seen);
 
   DrawnCase drawn_;
-  // Of the case as each scalar and query sees it; where that is the same case, one.
+  // The truth of the case as each scalar and query sees it. Equal cases share one.
   std::vector<std::unique_ptr<law::Truth>> truths_;
 };
 
-// Of one answer: its index, its outcome and the bits of its numbers.
+// The hash of one answer: its index, its outcome and the bits of its numbers.
 [[nodiscard]] std::uint64_t answer_hash(std::uint64_t index, const AnswerWords& answer);
 // The contender asked, and not judged.
 [[nodiscard]] std::uint64_t answer_hash(std::uint64_t index, const engine::Method& contender,

@@ -14,7 +14,8 @@
 namespace graze::tool {
 namespace {
 
-// Cases of a level that the fingerprint holds, of the one kind that is cast in microseconds; of others one.
+// The number of cases per level in the fingerprint, for linear casts, which take microseconds. Other kinds
+// have one.
 constexpr std::uint64_t kFingerprintCases = 4;
 
 std::string list(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ",")); }

@@ -1,8 +1,8 @@
-// What a campaign asks: answer number i is that of one contender to one case.
+// The questions of a campaign: answer number i is the answer of one contender to one case.
 //
-// A campaign has parts, one after the other. In a part of M contenders, answer i of it is contender i mod M's
-// to case i / M, so that a case is asked of all of them before the next, and what is found out about it
-// serves them all.
+// A campaign has parts, one after the other. In a part with M contenders, answer i is contender i mod M's
+// answer to case i / M. All contenders answer a case before the next case begins, so they share the truth
+// computed for it.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,18 @@
 
 namespace graze::tool {
 
-// A method of an engine of others: what a state must say of it, since a summary may be made where it is not.
+// A method of a third-party engine, as a state records it. A summary may be made where the engine is not
+// installed.
 struct OtherContender {
   std::string method;    // by question_name()
-  std::string query;     // that it is asked; "cast" of casts
-  std::string version;   // of the engine
-  double stall_cap = 0;  // the fraction of a family in which it may say not_converged
+  std::string query;     // the query it answers, "cast" for casts
+  std::string version;   // version of the engine
+  double stall_cap = 0;  // the fraction of a family that may be not_converged
   std::string held_to;   // in words
   friend bool operator==(const OtherContender&, const OtherContender&) = default;
 };
 
-// What the result is a function of.
+// The settings that determine the result.
 struct PartSettings {
   std::string kind;                   // "casts", "queries", "rotating"
   std::vector<std::string> methods;   // "exact/double", by name() of a contender
@@ -33,7 +34,7 @@ struct PartSettings {
   std::uint64_t count = 0;            // answers
   std::uint64_t oracle_every = 0;     // 0: no sample
   std::uint64_t judge_every = 1;
-  std::vector<OtherContender> others = {};  // of the methods, those of engines of others
+  std::vector<OtherContender> others = {};  // the methods that belong to third-party engines
   friend bool operator==(const PartSettings&, const PartSettings&) = default;
 };
 
@@ -41,8 +42,8 @@ struct CampaignSettings {
   std::vector<PartSettings> parts;
   std::uint64_t seed = 1;
   std::uint64_t block = 0;  // answers
-  // Hash of cases of every level and of our answers to them: of a build that generates other cases, or
-  // answers them otherwise, it is another. Engines of others are not asked for it.
+  // Hash of cases of every level and of our answers to them. A build that generates other cases, or answers
+  // them differently, has another hash. Third-party engines are not asked for it.
   std::string fingerprint;
 
   [[nodiscard]] std::uint64_t casts() const;
@@ -50,10 +51,10 @@ struct CampaignSettings {
   friend bool operator==(const CampaignSettings&, const CampaignSettings&) = default;
 };
 
-// "seed is 2 here and 1 there": the first field that differs; empty if none does.
+// The first field that differs, such as "seed is 2 here and 1 there". Empty if none differs.
 [[nodiscard]] std::string difference(const CampaignSettings& here, const CampaignSettings& there);
 
-// Counts are kept of each: a level of a family, asked of a contender.
+// Counts are kept for each cell: a level of a family, asked of a contender.
 struct Cell {
   std::string method, family;
   double level = 0;
@@ -71,7 +72,7 @@ class CampaignPlan {
   };
   struct Place {
     const Part* part = nullptr;
-    std::uint64_t number = 0;  // of the case
+    std::uint64_t number = 0;  // number of the case
     std::size_t contender = 0;
 
     [[nodiscard]] std::size_t cell(const DrawnCase& drawn) const {
@@ -80,7 +81,8 @@ class CampaignPlan {
   };
 
   explicit CampaignPlan(std::uint64_t seed) : seed_(seed) {}
-  // Of engines of others, by the question_name() of their methods: a campaign of another version is another.
+  // Versions of third-party engines, by the question_name() of their methods. A campaign with another version
+  // is a different campaign.
   void set_versions(std::map<std::string, std::string> versions) { versions_ = std::move(versions); }
   // `count` answers. Families without a question are left out.
   void add(const std::vector<const corpus::Family*>& families, Contenders contenders, std::uint64_t count,

@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// What the threads share. They meet here once a block.
+// The state that the threads share. They access it once a block.
 class CampaignRun {
  public:
   CampaignRun(const CampaignJob& job, CampaignState& state)
@@ -91,7 +91,7 @@ class CampaignRun {
     }
   }
 
-  // A disk that is full for a while does not end a run of hours; the last write is the caller's.
+  // A disk that is full for a while does not end a run of hours. The caller does the last write.
   void save(const CampaignState& copy) const {
     try {
       write_state(copy, job_.state_file);

@@ -14,7 +14,8 @@ struct CampaignJob {
   unsigned threads = 1;
   std::filesystem::path state_file = {};  // empty: none is written
   std::chrono::steady_clock::duration save_every = std::chrono::seconds(30);
-  // Asked by every thread before a block; true ends the run when the blocks begun are done.
+  // Called by every thread before a block. If it returns true, the run ends when the blocks in progress are
+  // done.
   std::function<bool()> stop = [] { return false; };
 };
 
@@ -22,8 +23,8 @@ struct CampaignJob {
 void run_block(const CampaignJob& job, const CampaignSettings& settings, std::uint64_t block,
                CampaignTally& tally);
 
-// Every block of the state's share that is not done; the state then holds those that were. The first
-// exception of a thread ends the run and is thrown again here.
+// Runs every block of the state's share that is not done, and adds each to the state. The first exception of
+// a thread ends the run and is rethrown here.
 void run_campaign(const CampaignJob& job, CampaignState& state);
 
 }  // namespace graze::tool

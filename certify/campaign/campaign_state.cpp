@@ -61,7 +61,7 @@ Json findings_json(const std::vector<Finding>& findings) {
 
 using Names = std::vector<std::string_view>;
 
-// What a value is, for the first half of a message: `the string "zz"`.
+// Describes a value for the first half of a message: `the string "zz"`.
 std::string described(const Json& json) {
   constexpr std::size_t kMostQuoted = 60;
   const std::string text = corpus::document_text(json);
@@ -230,7 +230,7 @@ void read_levels(const Object& json, CampaignState& state) {
   });
 }
 
-// What it is comes first: the fields of another document are none of these.
+// The schema is checked first, because the fields of another document are not the ones expected here.
 void require_schema(const Json& json) {
   if (!json.is_object() || !json.contains("schema") || json.at("schema") == kSchema) return;
   throw std::runtime_error(

@@ -1,5 +1,6 @@
-// A campaign as far as it has come: its settings, the blocks that are done, their tally. In a file it is both
-// what a run goes on from and what it hands in at the end; docs/howto/campaign.md describes the fields.
+// The state of a campaign: its settings, the blocks that are done, and their tally. A run reads its state
+// from a file to continue, and writes the same file as its result. docs/howto/campaign.md describes the
+// fields.
 #pragma once
 
 #include <boost/icl/interval_set.hpp>
@@ -29,7 +30,7 @@ struct Shard {
   }
 };
 
-// Of block numbers; half-open intervals, joined where they meet.
+// A set of block numbers, as half-open intervals that are joined where they meet.
 using BlockSet = boost::icl::interval_set<std::uint64_t, std::less,
                                           boost::icl::right_open_interval<std::uint64_t, std::less>>;
 using BlockRange = BlockSet::interval_type;
@@ -37,7 +38,7 @@ using BlockRange = BlockSet::interval_type;
 struct CampaignState {
   CampaignSettings settings;
   Shard shard;
-  std::vector<Cell> cells;            // of `tally.counts`
+  std::vector<Cell> cells;            // the cells of `tally.counts`
   std::vector<std::string> left_out;  // levels and families
   BlockSet done;
   CampaignTally tally;
@@ -54,8 +55,9 @@ struct CampaignState {
 // Nothing is done yet.
 [[nodiscard]] CampaignState fresh_state(const CampaignPlan& plan, std::uint64_t block, Shard shard);
 
-// JSON, the same text for the same state. Reading throws std::runtime_error with one line that names the file
-// and the field. Writing goes beside the file first and then in its place, and throws if it cannot.
+// JSON, the same text for the same state. Reading throws std::runtime_error with a one-line message that
+// names the file and the field. Writing creates a new file and then replaces the old one, and throws if it
+// cannot.
 [[nodiscard]] std::string state_text(const CampaignState& state);
 [[nodiscard]] CampaignState parse_state(std::string_view text, const std::string& name);
 [[nodiscard]] CampaignState read_state(const std::filesystem::path& file);

@@ -1,5 +1,4 @@
-// What a campaign keeps of its answers: counts by contender, family and level, a digest, and the first
-// findings.
+// The results that a campaign keeps: counts by contender, family and level, a digest, and the first findings.
 //
 // Tallies form a commutative monoid under merge(): the whole does not depend on how the casts were shared out
 // to threads, blocks, runs and machines, nor on their order.
@@ -14,24 +13,24 @@
 
 namespace graze::tool {
 
-// Of one level of one family, or of several.
+// Counts of one level of one family, or of several.
 struct CampaignCounts {
   std::uint64_t casts = 0;
   std::uint64_t overlapping = 0, hits = 0, misses = 0, not_converged = 0, refused = 0;  // by outcome
   std::uint64_t proved = 0;     // the proof was accepted and shows the verdict
   std::uint64_t by_oracle = 0;  // judged by the oracle, too
-  std::uint64_t sampled = 0;    // of those, chosen before the answer was known
-  std::uint64_t undecided = 0;  // of those, the oracle could not tell
+  std::uint64_t sampled = 0;    // judged by the oracle, and chosen before the answer was known
+  std::uint64_t undecided = 0;  // judged by the oracle, which could not decide
   // By fault, the first eight: an answer counts as its worst.
   std::uint64_t wrong = 0, late = 0, off = 0, contact_off = 0, proofs_refused = 0, unproved = 0;
   std::uint64_t work = 0;    // more support evaluations than the guarantee
-  std::uint64_t failed = 0;  // an engine of others crashed, hung, or wrote what is no answer
+  std::uint64_t failed = 0;  // a third-party engine crashed, hung, or wrote an invalid answer
   std::uint64_t faults = 0;  // answers with any of them
-  std::uint64_t stalls = 0;  // not_converged, and not within tolerance; its frequency is capped by the row
-  std::uint64_t within_tolerance = 0;  // decided by less than the row's limit
-  std::uint64_t skipped = 0;           // no question was found; not among the casts
+  std::uint64_t stalls = 0;  // not_converged and not within tolerance, capped by the guarantee's fraction
+  std::uint64_t within_tolerance = 0;  // decided by less than the guarantee's limit
+  std::uint64_t skipped = 0;           // no question was found, not counted in casts
   std::uint64_t most_supports = 0;     // support evaluations of the costliest answer
-  double widest = 0;                   // the largest error that the oracle measured, over what the row grants
+  double widest = 0;                   // the largest error that the oracle measured, over the limit
 
   CampaignCounts& operator+=(const CampaignCounts& other);
   friend bool operator==(const CampaignCounts&, const CampaignCounts&) = default;
@@ -67,10 +66,10 @@ inline constexpr std::array<CountField, 22> kCountFields = {{
     {"not_asked", &CampaignCounts::skipped},
 }};
 
-// An answer that was found wanting, or that the oracle could not tell about. Its case is that of (family,
-// level, seed), as the contender is asked it.
+// An answer that is at fault, did not converge, or that the oracle could not decide. Its case is that of
+// (family, level, seed), as the contender is asked it.
 struct Finding {
-  std::uint64_t index = 0;  // of the answer in the campaign
+  std::uint64_t index = 0;  // index of the answer in the campaign
   std::string method, family;
   double level = 0;
   std::uint64_t seed = 0;
@@ -81,7 +80,7 @@ struct Finding {
 };
 
 struct CampaignTally {
-  // Of each contender and family, those of least index are kept; all are counted.
+  // For each contender and family, those with the least index are kept. All are counted.
   static constexpr std::size_t kFindings = 100;
 
   std::vector<CampaignCounts> counts;  // by cell of the plan
@@ -93,7 +92,7 @@ struct CampaignTally {
   void add(std::uint64_t index, std::size_t cell, const engine::Method& contender, const DrawnCase& drawn,
            const CampaignCast& cast);
   void add_skipped(std::size_t cell) { ++counts[cell].skipped; }
-  void merge(const CampaignTally& other);  // of the same campaign
+  void merge(const CampaignTally& other);  // other belongs to the same campaign
   [[nodiscard]] CampaignCounts total() const;
   friend bool operator==(const CampaignTally&, const CampaignTally&) = default;
 };

@@ -78,7 +78,7 @@ DrawnCase CampaignCases::draw(std::uint64_t index) const {
   // The generator's seeding mixes keys that are neighbours.
   corpus::Random random(key_ + index);
   drawn.sampled = sampling_.oracle_every > 0 && random.once_in(sampling_.oracle_every);
-  // Of its own, so that the cases are the same whatever is judged.
+  // A separate generator, so that the cases do not depend on which of them are judged.
   if (sampling_.judge_every > 1)
     drawn.judged = corpus::Random(~(key_ + index)).once_in(sampling_.judge_every);
   for (int attempt = 0; attempt < (has_ours_ ? kAttempts : kRareAttempts); ++attempt) {

@@ -16,7 +16,7 @@ using engine::Method;
 
 constexpr std::string_view kStandard = "standard";
 
-// Asked for where nothing is named.
+// The default if no contender is named.
 bool is_default(const Method& method) {
   switch (method.kind) {
     case Kind::linear:

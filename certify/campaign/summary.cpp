@@ -17,10 +17,10 @@
 namespace graze::tool {
 namespace {
 
-// Findings of a kind that the text shows; the file holds more.
+// The number of findings per kind in the text. The file holds more.
 constexpr std::size_t kMostFindings = 10;
 
-// What is counted of the cells that `wanted` picks.
+// The sum of the counts in the cells that `wanted` selects.
 template <class Wanted>
 CampaignCounts sum_of(const CampaignState& state, const Wanted& wanted) {
   CampaignCounts sum;
@@ -63,7 +63,8 @@ std::string count_of(const CampaignCounts& counts) {
   return fmt::to_string(counts.*kField);
 }
 
-// Of a part: `every` kind of fault where bodies turn, else what is not 0 everywhere.
+// The columns of a part: `every` kind of fault for rotating bodies, otherwise the columns that are not 0
+// everywhere.
 std::vector<Shown> columns_of(const PartSettings& part, const CampaignCounts& sum) {
   using C = CampaignCounts;
   std::vector<Shown> columns = {
@@ -169,7 +170,7 @@ std::string kinds_of(const CampaignCounts& counts) {
   return fmt::format("{}", fmt::join(kinds, ", "));
 }
 
-// A contender by its name: one of ours, or of others as the state has it.
+// A contender by its name: one of ours, or a third-party method as the state records it.
 struct Known {
   engine::Kind kind = engine::Kind::linear;
   corpus::Query query = corpus::Query::cast;
@@ -208,7 +209,7 @@ void family_failures(std::vector<std::string>& lines, const CampaignState& state
                                 counts.casts, cap));
     return;
   }
-  // A mechanism that needs a greater cap sits at some levels; the row speaks of the family.
+  // A mechanism that needs a greater cap affects single levels, while the guarantee is about the family.
   if (cap > engine::kPlainStallCap) return;
   for (std::size_t i = 0; i < state.cells.size(); ++i) {
     const Cell& cell = state.cells[i];

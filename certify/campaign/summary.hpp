@@ -1,4 +1,4 @@
-// What a campaign came to, as text. Nothing in it depends on time, threads or machines.
+// The results of a campaign as text. Nothing in it depends on time, threads or machines.
 #pragma once
 
 #include <string>
@@ -11,14 +11,16 @@ namespace graze::tool {
 // Settings, a line a family of each method (with `levels`, one of each level), the digest, the findings.
 [[nodiscard]] std::string campaign_summary(const CampaignState& state, bool levels = false);
 
-// What the campaign found wanting, a line each: every family of a method with a fault; those that stall more
-// often than the method's row allows (without a row, at all), and levels that do, by more than the row's
-// share rounded up; and a part of which the oracle leaves more than kMostUndecided undecided. Empty: nothing.
+// The failures of the campaign, one line each, or an empty list:
+// - every family in which a method has a fault
+// - families in which more answers did not converge than the guarantee allows, or any without a guarantee
+// - levels in which more did not converge than the guarantee's share, rounded up
+// - parts of which the oracle leaves a fraction above kMostUndecided undecided
 inline constexpr double kMostUndecided = 1e-3;
 [[nodiscard]] std::vector<std::string> campaign_failures(const CampaignState& state);
 
-// The cases of the faults and stalls, generated again, in the order of their indices, each once; and those
-// that the oracle left undecided.
+// The cases of all faults, of answers that did not converge, and of those that the oracle left undecided.
+// They are generated again, in the order of their indices, each once.
 [[nodiscard]] std::vector<corpus::Case> found_cases(const CampaignState& state);
 [[nodiscard]] std::vector<corpus::Case> undecided_cases(const CampaignState& state);
 

@@ -85,7 +85,7 @@ Offer read_offer(std::string_view name, const JsonValue& value, const std::strin
         break;
     }
   }
-  // Whether bodies touch is the query overlap.
+  // Contact without a distance is the query overlap.
   if (offer.question == Question::distance && !offer.holds_distance)
     throw Malformed{where, "answers to distance hold \"distance\""};
   if (offer.question == Question::penetration && !offer.holds_depth)

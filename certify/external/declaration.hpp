@@ -1,4 +1,4 @@
-// What an engine says of itself, graze.engine/1 (docs/reference/protocol.md has a sentence about each field).
+// An engine's declaration about itself, graze.engine/1 (docs/reference/protocol.md describes each field).
 #pragma once
 
 #include <optional>
@@ -14,12 +14,12 @@ namespace graze::external {
 
 enum class Question { cast, rotating_cast, ray, overlap, distance, penetration };
 [[nodiscard]] std::string_view to_text(Question question);
-// Of bodies that move; the others are about t = 0.
+// True for questions about moving bodies. The others are about t = 0.
 [[nodiscard]] constexpr bool is_cast(Question question) {
   return question == Question::cast || question == Question::rotating_cast || question == Question::ray;
 }
 
-// One thing that it can be asked: what its answers hold, and what it promises of them.
+// A question that the engine supports: the fields of its answers, and their guarantees.
 struct Offer {
   Question question = Question::cast;
   engine::Holds holds = {.time = false, .normal = false, .witnesses = false};
@@ -31,8 +31,8 @@ struct Offer {
   double own_frames = 0;                  // over the lengths in the bodies' own frames, a number of them
   double early = 0;                       // a length by which its times stop short by design
   bool starts = true;                     // it is asked about starts in contact
-  double stalls = 0;                      // the fraction of a family in which it may say not_converged
-  std::optional<int> most_supports = {};  // what an answer's `supports` stays below or at
+  double stalls = 0;                      // the fraction of a family that may be not_converged
+  std::optional<int> most_supports = {};  // upper bound on an answer's `supports`
   bool takes_target_distance = false, takes_pass_over = false;
 
   [[nodiscard]] bool promises_errors() const { return tolerance || relative_tolerance || kappa; }
@@ -63,10 +63,10 @@ struct Declaration {
   [[nodiscard]] bool takes(std::string_view shape) const;
 };
 
-// The types of the case format that an engine may say that it takes.
+// The types of the case format that an engine may declare as supported.
 [[nodiscard]] std::span<const std::string_view> shape_names();
 
-// Throws std::runtime_error: one line that says what was wrong, in which field, and what would be right.
+// Throws std::runtime_error with one line: the error, its field, and the correct form.
 [[nodiscard]] Declaration parse_declaration(std::string_view line);
 
 }  // namespace graze::external

@@ -20,7 +20,7 @@ using engine::Method;
 
 namespace {
 
-// One call's time is the median of so many.
+// The time of a call is the median of this number of calls.
 constexpr int kTimedCalls = 31;
 
 Answer failure(Failure kind, std::string what) {
@@ -30,7 +30,7 @@ Answer failure(Failure kind, std::string what) {
   return answer;
 }
 
-// What ends a process: all but an answer that can be read, though its numbers make no sense.
+// True for failures that end a process. An answer that can be read but has invalid numbers does not.
 bool is_dead(Failure failure) {
   switch (failure) {
     case Failure::none:
@@ -127,7 +127,8 @@ void Engine::add_method(const Offer& offer) {
   methods_.push_back(std::move(method));
 }
 
-// One whose first line is read, or, where none waits, a new one; of one that says nothing of itself, why.
+// A process whose first line has been read, or a new one if none is waiting. If the engine declares nothing
+// about itself, the error says why.
 std::unique_ptr<Process> Engine::take(Line& first) {
   Waiting next;
   {
@@ -175,7 +176,7 @@ Answer Engine::ask(const Offer& offer, const Terms& terms, int repeat) {
   } else {
     answer = ask(*process, offer, terms, id, repeat);
   }
-  // One that answers what it was not asked, or no JSON, is out of step with its questions.
+  // An engine that answers another question, or writes no JSON, is out of step with its questions.
   if (is_dead(answer.failure) || answer.failure == Failure::garbage || answer.failure == Failure::wrong_id) {
     left_behind_ += process->stop();
   } else {

@@ -1,5 +1,5 @@
-// An engine of others: a command that speaks the protocol, its processes, and the methods that it adds to the
-// list of those that are judged.
+// A third-party engine: a command that speaks the protocol, its processes, and its methods, which are added
+// to the list of judged methods.
 #pragma once
 
 #include <atomic>
@@ -17,25 +17,25 @@
 namespace graze::external {
 
 struct EngineOptions {
-  // Words apart by blanks, "..." and '...' around a word with blanks in it; no shell. One that ends in .so is
-  // a shared library, which `library_host` is given as its last word.
+  // Words separated by blanks, with "..." and '...' around a word that contains blanks. No shell is used. A
+  // command that ends in .so is a shared library, and `library_host` receives it as its last word.
   std::string command;
   std::vector<std::string> library_host = {};
   bool host_takes_frames = false;  // questions and answers of a shared library are bytes, not lines
   ProcessLimits limits = {};
   // Held to these lengths, whatever it declares.
   std::optional<double> tolerance = {}, relative_tolerance = {}, kappa = {};
-  bool measure = false;        // held to no length: its errors are measured
-  bool beyond_limits = false;  // asked what lies beyond its documented limits, too
+  bool measure = false;        // no error limit: errors are only measured
+  bool beyond_limits = false;  // also asked cases beyond its documented limits
   unsigned spares = 1;         // processes that are started before they are needed
 };
 
-// The words of a command. Throws std::runtime_error where a quote has no end, or there is no word.
+// The words of a command. Throws std::runtime_error if a quote has no end, or if there is no word.
 [[nodiscard]] std::vector<std::string> words_of(const std::string& command);
 
 class Engine {
  public:
-  // Starts it and reads what it says of itself. Throws std::runtime_error with one line to show.
+  // Starts the engine and reads its declaration. Throws std::runtime_error with a one-line message.
   explicit Engine(EngineOptions options);
   ~Engine();
   Engine(const Engine&) = delete;
@@ -45,13 +45,13 @@ class Engine {
   // A method for each thing that it can be asked. They live as long as the engine.
   [[nodiscard]] std::span<const engine::Method> methods() const { return methods_; }
 
-  // Asks one question, from any thread; `repeat` > 0 asks for the time of a call.
+  // Asks one question, from any thread. `repeat` > 0 also requests the time of a call.
   [[nodiscard]] engine::Answer ask(const Offer& offer, const corpus::Case& problem, int repeat = 0);
   // The same of terms that are not refused.
   [[nodiscard]] engine::Answer ask(const Offer& offer, const Terms& terms, int repeat = 0);
 
-  // Every process is asked to end. How many processes they left behind, those that were ended before
-  // included; to be asked once, at the end.
+  // Asks every process to end. Returns the number of processes that they left behind, including those that
+  // were ended before. Call it once, at the end.
   int finish();
   [[nodiscard]] std::size_t starts() const { return starts_; }  // processes that were started
 

@@ -43,7 +43,7 @@ engine::Guarantee guarantee_of(const Declaration& engine, const Offer& offer, co
   const std::optional<double>& tolerance = is_held ? held.tolerance : offer.tolerance;
   const std::optional<double>& relative = is_held ? held.relative_tolerance : offer.relative_tolerance;
   const std::optional<double>& kappa = is_held ? held.kappa : offer.kappa;
-  // A ray beside a cast has a name of its own.
+  // A ray has its own name if the engine also has a cast.
   const std::string name =
       engine.name + (offer.question == Question::ray ? fmt::format("-{}", to_text(offer.question)) : "");
   const Kind kind = kind_of(offer.question);

@@ -1,4 +1,5 @@
-// What an engine of others says it can be asked, as a method that can be judged: all of it but the asking.
+// Turns a question that a third-party engine declares into a method that can be judged. The function that asks is added
+// elsewhere.
 #pragma once
 
 #include <functional>
@@ -10,10 +11,10 @@
 
 namespace graze::external {
 
-// Limits of the command line, to which an engine is held whatever it declares: where there is one, it declares none.
+// Limits from the command line. If one is given, the limits that the engine declares are ignored.
 struct Held {
   std::optional<double> tolerance = {}, relative_tolerance = {}, kappa = {};
-  bool measure = false;  // no limit at all: errors are measured, and only what makes no sense is a fault
+  bool measure = false;  // no error limit: errors are measured, and only invalid answers are faults
 };
 
 // The limit of an engine that declares none and is given none, over scale: what a game still shows as touching. A wrong
@@ -25,7 +26,8 @@ inline constexpr double kAssumedRelativeTolerance = 1e-3;
 // The answer to a case in the engine's terms, which are not refused.
 using Answering = std::function<engine::Answer(const Offer&, const Terms&, const corpus::Case&)>;
 
-// Without `time_ns`. What is given outlives it. `beyond`: asked beyond documented limits, too.
+// The method without `time_ns`. The arguments must outlive it. With `beyond` it also takes cases beyond documented
+// limits.
 [[nodiscard]] engine::Method method_of(const Declaration& engine, const Offer& offer,
                                        const engine::Guarantee& row, bool beyond, Answering answering);
 

@@ -76,7 +76,7 @@ struct ShapeFrame {
   void operator()(const HullOf<double>& h) const { parts(head(GRAZE_ENGINE_HULL_OF), h.shapes); }
 
  private:
-  // Nothing turned, as a line reads that says nothing of it.
+  // No rotation, like a line that omits it.
   static frames::ShapeHead head(graze_engine_shape_type type) {
     frames::ShapeHead h;
     h.type = type;
@@ -127,7 +127,7 @@ std::string write_question_frame(const Offer& offer, const Terms& terms, std::ui
   head.id = id;
   head.query = static_cast<std::uint32_t>(offer.question);
   head.repeat = repeat;
-  // As in a line: what a query has no use for is not told.
+  // As in a line, fields that a query does not use are omitted.
   head.t_max = is_cast(offer.question) ? asked.t_max : 1;
   if (offer.question == Question::cast || turns) {
     head.target_distance = asked.target_distance;
@@ -140,7 +140,7 @@ std::string write_question_frame(const Offer& offer, const Terms& terms, std::ui
   std::string out;
   append(out, head);
   write_body(out, asked.a, asked.spin_a, turns);
-  // Of a ray there is no B.
+  // A ray has no body B.
   write_body(out, is_ray ? Body<double>{.shape = Point<double>{}} : asked.b,
              is_ray ? corpus::Spin{} : asked.spin_b, turns);
   head.size = out.size();

@@ -34,12 +34,12 @@ using Clock = std::chrono::steady_clock;
 namespace {
 
 constexpr const char* kMark = "GRAZE_ENGINE_PROCESS=";
-// A line that is longer is no answer.
+// A longer line is not a valid answer.
 constexpr std::size_t kMostOfALine = std::size_t{1} << 24;
 constexpr std::size_t kKeptErrors = 2000;
-// Of those, how many a finding shows: a traceback of a dozen calls.
+// The length of standard error that a finding shows: a traceback of a dozen calls.
 constexpr std::size_t kShownErrors = 1500;
-// What a pipe holds.
+// The capacity of a pipe.
 constexpr std::size_t kPipeBytes = std::size_t{1} << 16;
 // A process that ended with so much of its memory in use ended at the limit.
 constexpr double kFullMemory = 0.8;
@@ -107,8 +107,8 @@ std::vector<pid_t> numbers_in(const char* directory) {
   return found;
 }
 
-// Our children: engines, and what they left behind, since we are its reaper. Where the kernel keeps no list of them,
-// every process.
+// Our children: engines, and the processes they left behind, since we are their reaper. If the kernel keeps no list of
+// children, every process.
 std::vector<pid_t> candidates() {
   std::vector<pid_t> found;
   for (const pid_t thread : numbers_in("/proc/self/task")) {
@@ -160,7 +160,7 @@ long own_memory() {
   return used.ru_maxrss;
 }
 
-// What allocators and runtimes write when they get no more.
+// True for the messages of allocators and runtimes that cannot get more memory.
 bool says_no_memory(std::string_view text) {
   for (const std::string_view words : {"bad_alloc", "out of memory", "Out of memory", "MemoryError",
                                        "Cannot allocate memory", "memory allocation of"}) {
@@ -246,7 +246,7 @@ Line Process::failed(Failure failure, std::string what) {
   std::string last = errors_.substr(errors_.size() - std::min(errors_.size(), kKeptErrors));
   while (!last.empty() && std::isspace(static_cast<unsigned char>(last.back())) != 0) last.pop_back();
   if (last.size() > kShownErrors) {
-    // Whole lines where there are some.
+    // Keeps whole lines if there are any.
     const std::size_t cut = last.size() - kShownErrors, line = last.find('\n', cut);
     last = "..." + (line == std::string::npos ? " " + last.substr(cut) : last.substr(line));
   }
@@ -303,7 +303,7 @@ Line Process::ended(bool within_line) {
   }
   has_ended();
   read_errors();
-  // What it had before it became the engine was ours.
+  // Before exec the memory of the child was ours.
   const bool is_full =
       (used.ru_maxrss > memory_at_start_ &&
        static_cast<double>(used.ru_maxrss) * 1024 > kFullMemory * static_cast<double>(limits_.memory)) ||
@@ -321,7 +321,7 @@ Line Process::ended(bool within_line) {
   return failed(Failure::silent, "it ended, and said nothing");
 }
 
-// What it wrote before it ended, and is still in the pipe. True if that has come to its end.
+// Reads the output that the process wrote before it ended and that is still in the pipe. True at the end of the output.
 bool Process::read_rest() {
   ssize_t n = 0;
   while (read_.size() <= kMostOfALine && (n = read(out_, buffer_.data(), buffer_.size())) > 0)
@@ -331,10 +331,10 @@ bool Process::read_rest() {
 
 Line Process::read_line(std::chrono::milliseconds limit) { return read_reply(limit, 0); }
 
-// A line, or where `size` is not 0, as many bytes.
+// Reads a line, or `size` bytes if `size` is not 0.
 Line Process::read_reply(std::chrono::milliseconds limit, std::size_t size) {
   if (is_ended_) return {.failure = Failure::silent, .what = "it has ended"};
-  bool is_dead = false;  // though what it left behind may hold its output open
+  bool is_dead = false;  // processes that it left behind may hold its output open
   const auto stop = Clock::now() + limit;
   std::size_t looked = 0;
   for (;;) {
@@ -403,7 +403,7 @@ Line Process::exchange(const std::string& bytes, std::size_t size) {
 int Process::finish() {
   if (!is_ended_) {
     close_one(in_);
-    // What it still has to say is read, so that it does not wait for a reader.
+    // The rest of its output is read, so that it does not block on a full pipe.
     const auto stop = Clock::now() + kToFinish;
     pid_t done = 0;
     while ((done = waitpid(pid_, nullptr, WNOHANG)) == 0 && Clock::now() < stop) {

@@ -1,8 +1,8 @@
-// A program of others in a process of its own: started, asked a line, and ended, under a limit of time and
-// memory, whatever it does.
+// Runs a third-party program in a process of its own: starts it, asks it a line, and ends it, under a limit
+// of time and memory, whatever the program does.
 //
-// It leads a process group, and carries a mark in its environment by which whatever it left behind is found
-// and ended, also where that has left the group. What it writes on standard error is kept, the last of it.
+// It leads a process group and carries a mark in its environment. The mark finds the processes that it left
+// behind, even outside the group, so that they can be ended. The last part of its standard error is kept.
 #pragma once
 
 #include <sys/types.h>
@@ -22,31 +22,33 @@ struct ProcessLimits {
   std::uint64_t memory = std::uint64_t{2} << 30;  // bytes of private memory
 };
 
-// A line, or why there is none.
+// A line, or the reason for its absence.
 struct Line {
   std::string text = {};
   engine::Failure failure = engine::Failure::none;
-  std::string what = {};  // of a failure
+  std::string what = {};  // the description of a failure
 };
 
 class Process {
  public:
-  // Starts the program; the words of `command` are its arguments, the first its file, sought in the PATH.
-  // Throws std::runtime_error if no process can be made. A file that cannot be run shows in the first line.
+  // Starts the program. The first word of `command` is the program, sought in the PATH, and the others are
+  // its arguments. Throws std::runtime_error if no process can be made. If the file cannot be run, the first
+  // line reports it.
   Process(const std::vector<std::string>& command, const ProcessLimits& limits);
   ~Process();  // ends it
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  // The next line that it writes, within the limit; a failure is final, and the process is ended.
+  // The next line of its output, within the time limit. After a failure the process is ended, and later calls
+  // fail too.
   Line read_line(std::chrono::milliseconds limit);
   // Writes a line, and reads the next.
   Line ask(const std::string& line);
-  // Writes bytes, and reads as many of `size`, which are the text of what comes back.
+  // Writes bytes, and reads `size` bytes, which become the text of the returned line.
   Line exchange(const std::string& bytes, std::size_t size);
 
-  // Its input is closed, and it may end by itself; then what is left of it is ended. How many processes it
-  // left behind.
+  // Closes its input, so that it may end by itself, and then ends all that is left of it. Returns the number
+  // of processes that it left behind.
   int finish();
   // The same at once.
   int stop();

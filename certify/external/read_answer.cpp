@@ -25,10 +25,10 @@ using engine::Interval;
 
 namespace {
 
-// A normal whose length is off by more is no unit vector in any scalar.
+// A normal whose length deviates by more is not a unit vector in any scalar.
 constexpr double kUnitSlack = 1e-3;
 
-// What a line may be wrong in.
+// An error in a line.
 struct Bad {
   Failure kind;
   std::string what;
@@ -130,7 +130,7 @@ class SaidInALine : public Said {
   const Fields& fields_;
 };
 
-// What a library leaves at NaN it does not say.
+// A field that a library leaves at NaN is not part of its answer.
 class SaidInAFrame : public Said {
  public:
   explicit SaidInAFrame(const graze_engine_answer& answer) : answer_(answer) {}
@@ -155,7 +155,7 @@ class SaidInAFrame : public Said {
   }
 
  private:
-  // Of a vector; nullptr of what is none.
+  // The components of a vector, or nullptr if the field is not a vector.
   [[nodiscard]] const double* components(std::string_view key) const {
     if (key == "normal") return answer_.normal;
     if (key == "point_a") return answer_.point_a;
@@ -357,7 +357,7 @@ class Reading {
     if (offer_.holds.witnesses) points(said);
   }
 
-  // Of a start in contact engines say what they have: no normal, or one of zeros, which says the same.
+  // For a start in contact, an engine may give no normal or a zero normal. Both mean the same.
   void start(const Said& said) {
     if (offer_.holds.normal && said.has("normal")) {
       answer_.normal = said.vector("normal");
@@ -392,7 +392,7 @@ class Reading {
     }
     answer_.reach_a = terms_.reach_a;
     answer_.reach_b = terms_.reach_b;
-    // What a query calls a contact or none, and the engine's margin between.
+    // No bound on the distance is known: a query's contact and its absence may lie the engine's margin apart.
     answer_.distance = kInfinity<double>;
     if (!terms_.swapped) return;
     std::swap(answer_.point_a, answer_.point_b);
@@ -404,7 +404,7 @@ class Reading {
   Answer answer_{.outcome = Outcome::not_converged};
 };
 
-// What is wrong often begins with a field, such as normal[1]: a line too long to be quoted is quoted from there.
+// An error often begins with a field, such as normal[1]. A line that is too long is quoted from that field on.
 std::string quote_for(std::string_view what, std::string_view line) {
   const std::string key =
       fmt::format("\"{}\"", what.substr(0, what.find_first_not_of("abcdefghijklmnopqrstuvwxyz_")));

@@ -8,13 +8,13 @@
 
 namespace graze::external {
 
-// The answer to the question `id`, its lengths in the unit of the case, its bodies those of the case. A line
-// that is none is an answer with a failure: garbage, another's answer, no number, out of range. Nothing
-// throws.
+// The answer to the question `id`, with lengths in the unit of the case and the bodies of the case. An
+// invalid line gives an answer with a failure: garbage, another question's answer, not a number, or out of
+// range. Does not throw.
 [[nodiscard]] engine::Answer read_answer(std::string_view line, std::string_view id, const Offer& offer,
                                          const Terms& terms);
 
-// By itself: what it says of the question that it answers. Empty where the line does not say.
+// The id of the question that a line answers. Empty if the line has none.
 [[nodiscard]] std::string id_of_answer(std::string_view line);
 
 }  // namespace graze::external

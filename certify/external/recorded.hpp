@@ -24,7 +24,7 @@ using RecordedLines = std::map<std::string, std::string>;
 // them holds it. `problems`: the cases, by which a line's query is known.
 [[nodiscard]] Declaration declaration_of(const RecordedLines& lines, std::span<const corpus::Case> problems);
 
-// What a case asks, if it is one of the questions of the protocol: of casts, whether a body turns.
+// The protocol's question for a case, if there is one. For casts it depends on whether a body rotates.
 [[nodiscard]] std::optional<Question> question_of(const corpus::Case& problem);
 
 class Recorded {

@@ -28,7 +28,7 @@ std::string_view type_of(const Shape<double>& shape) {
   return kTypes[shape.index()];
 }
 
-// The vertices of a shape that is the hull of a few; nothing for any other.
+// The vertices of a shape that is the hull of a few points. Empty for any other shape.
 std::vector<Vec3<double>> corners_of(const Shape<double>& shape) {
   if (std::holds_alternative<Point<double>>(shape)) return {Vec3<double>::Zero()};
   if (const auto* s = std::get_if<Segment<double>>(&shape)) return {s->a, s->b};
@@ -47,7 +47,7 @@ std::vector<Vec3<double>> corners_of(const Shape<double>& shape) {
   return corners;
 }
 
-// Every type within a shape is one that the engine takes; else the first that is not.
+// The first type within a shape that the engine does not take, as text. Empty if it takes all of them.
 std::string not_taken(const Declaration& engine, const Shape<double>& shape) {
   if (!engine.takes(type_of(shape))) return std::string(type_of(shape));
   for (const SharedShape<double>& part : law::parts_of(shape)) {
@@ -139,7 +139,7 @@ class Translation {
     if (!beyond_) out_.refused = std::move(why);
   }
 
-  // What is asked, and in which words.
+  // Sets the question and its wording.
   void question() {
     Case& asked = out_.asked;
     if (!is_cast(offer_.question)) {
@@ -169,7 +169,7 @@ class Translation {
 
   void shapes() {
     for (Body<double>* body : {&out_.asked.a, &out_.asked.b}) {
-      // Of a ray the point is no body.
+      // For a ray, the point is not a body.
       if (offer_.question == Question::ray && body == &out_.asked.b) continue;
       offer_as_hull(engine_, body->shape);
       if (std::string missing = not_taken(engine_, body->shape); !missing.empty())
@@ -208,8 +208,8 @@ class Translation {
     for (Body<double>* body : {&asked.a, &asked.b}) body->orientation = unit(body->orientation);
     if (engine_.in_float()) asked = engine::rounded_case<float>(asked);
     if (!all_finite(asked)) return refuse("its numbers do not fit into the engine's scalar");
-    // Rounding makes flat what was not, or the reverse, and that is the engine's question then; only what is
-    // no case any more is none.
+    // Rounding may make a body flat, or the reverse. The result is then the engine's question. A case is
+    // refused only if rounding makes it invalid.
     if (!law::in_domain(asked)) refuse("rounded to the engine's scalar it is no question");
   }
 

@@ -1,4 +1,4 @@
-// A case in the terms of an engine: what it is asked, and the case that it then sees.
+// A case in the terms of an engine: the question it is asked, and the case that it sees as a result.
 //
 //   asked = the case, in the engine's unit of length (a power of two), shapes that it does not take as hulls
 //           of their vertices, relative motion and pivots as it wants them, unit quaternions, every number
@@ -17,19 +17,19 @@
 namespace graze::external {
 
 struct Terms {
-  // Why the engine is not asked; empty if it is, and then the rest holds.
+  // The reason why the engine is not asked. If it is empty, the other fields are valid.
   std::string refused = {};
-  bool beyond_limits = false;  // beyond a documented limit: refused for that alone, or asked all the same
+  bool beyond_limits = false;  // beyond a documented limit, refused for that reason or asked anyway
 
   corpus::Case asked = {}, seen = {};
   int exponent = 0;      // lengths of `asked` are those of the case times 2^exponent
-  bool swapped = false;  // of a ray: A of the case is the point, and B stands in A's place
-  // How the margin is shared by the bodies is the engine's own affair: either may be rounded by as much as all of it. So by
-  // how much each of them may reach beyond the one that is seen, lengths of the case.
+  bool swapped = false;  // for a ray: A of the case is the point, and B takes A's place
+  // The engine decides how the margin is divided between the bodies, so either may be rounded by up to all of it. These
+  // are the lengths by which each body may reach beyond the one that is seen, in the unit of the case.
   double reach_a = 0, reach_b = 0;
 };
 
-// `beyond`: ask what lies beyond documented limits, too.
+// `beyond`: also ask cases beyond documented limits.
 [[nodiscard]] Terms in_terms_of(const Declaration& engine, const Offer& offer, const corpus::Case& problem,
                                 bool beyond);
 

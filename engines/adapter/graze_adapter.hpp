@@ -1,8 +1,8 @@
-// graze::adapter: what an engine needs to stand under graze's judge, in one header of the C++17 standard library.
+// graze::adapter connects an engine to graze's judge. It is one header that needs only the C++17 standard library.
 //
 //   questions in, answers out, one line of JSON each (docs/reference/protocol.md)
 //
-// An engine says what it is, and answers one question at a time:
+// An engine declares its properties, and answers one question at a time:
 //
 //   #include <graze_adapter.hpp>
 //   using namespace graze::adapter;
@@ -19,13 +19,13 @@
 //     return serve(engine, answer);
 //   }
 //
-// A function that is to be timed without what it prepares (its shapes) returns a callable, which returns the answer:
+// To exclude preparation (such as building shapes) from the timing, return a callable that returns the answer:
 //
 //   engine.timed = true;
 //   return serve(engine, [](const Question& q) { return [shape = my_shape(q.a.shape), …] { return …; }; });
 //
-// Frames: positions, displacements, normals and witnesses are in world axes; shapes in their body's own.
-// Units: lengths in the question's, angles in radians, times in the question's unit of t; `ns` in nanoseconds.
+// Frames: positions, displacements, normals and witnesses are in world axes. Shapes are in the frame of their body.
+// Units: lengths are in the question's unit, angles in radians, times in the question's unit of t, `ns` in nanoseconds.
 #ifndef GRAZE_ADAPTER_HPP
 #define GRAZE_ADAPTER_HPP
 
@@ -86,23 +86,23 @@ enum class ShapeType {
 struct Shape {
   ShapeType type = ShapeType::point;
   double radius = 0;             // sphere, capsule, cylinder, cone, rounded
-  double half_height = 0;        // capsule (of its core segment), cylinder, cone; the axis is z
+  double half_height = 0;        // capsule (of its core segment), cylinder and cone about the z axis
   Vector half_extents{};         // box
   Vector radii{};                // ellipsoid
-  std::vector<Vector> vertices;  // hull; segment: a, b; triangle: a, b, c
+  std::vector<Vector> vertices;  // hull, segment (a, b), triangle (a, b, c)
   std::vector<std::vector<std::size_t>> faces;  // hull, if it came with them: a hint
   Vector position{};                            // posed
   Quaternion orientation;                       // posed
-  std::vector<Shape> parts;                     // posed and rounded: one; sum and hull_of: one or more
+  std::vector<Shape> parts;                     // one for posed and rounded, one or more for sum and hull_of
 };
 
 struct Body {
   Shape shape;
-  Vector position{};       // of the body's origin, at t = 0
+  Vector position{};       // the body's origin at t = 0
   Quaternion orientation;  // at t = 0
   Vector displacement{};   // over one unit of t
-  Vector rotation{};       // rotation vector over one unit of t; rotating_cast alone
-  Vector pivot{};          // centre of the rotation, in the body's own frame; rotating_cast alone
+  Vector rotation{};       // rotation vector over one unit of t, for rotating_cast alone
+  Vector pivot{};          // centre of the rotation in the body's own frame, for rotating_cast alone
 };
 
 enum class Query { cast, rotating_cast, ray, overlap, distance, penetration };
@@ -112,7 +112,7 @@ struct Question {
   Query query = Query::cast;
   Body a, b;                     // ray: b is not there
   Vector origin{}, direction{};  // ray: origin + t direction
-  double t_max = 1;              // casts and rays; may be infinite if the engine takes that
+  double t_max = 1;              // casts and rays, may be infinite if the engine takes that
   double target_distance = 0;    // casts
   bool pass_over = false;        // casts: the start policy
   int repeat = 1;                // how often the call is made, to be timed
@@ -132,7 +132,7 @@ struct Answer {
   std::optional<Bracket> time, distance, depth;
   std::optional<Vector> normal;            // unit, from A to B
   std::optional<Vector> point_a, point_b;  // witnesses
-  std::optional<double> ns;  // the engine's own measure; else that of serve() for a repeated question
+  std::optional<double> ns;  // the engine's own measure, else serve() measures a repeated question
   std::string message;
 
   static Answer of(Outcome outcome) {
@@ -159,7 +159,8 @@ struct Answer {
   }
 };
 
-// What an engine answers to one kind of question, and what it promises: docs/reference/protocol.md has the meaning of each.
+// The fields that an engine answers for one kind of question, and its promises. docs/reference/protocol.md describes
+// each.
 struct Promise {
   std::vector<std::string> answers;  // any of time, normal, witnesses, distance, depth
   std::optional<double> tolerance, relative_tolerance, kappa;
@@ -233,17 +234,18 @@ std::optional<Enum> value_of(std::string_view text, const std::vector<std::pair<
   return std::nullopt;
 }
 
-// What cannot be read. The text says where, and what would be right.
+// A line that cannot be read. The text names the place and the correct form.
 struct BadLine : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-// What is well formed, but not known to this header: the question is none for the engine.
+// A well-formed value that this header does not know. The engine does not support the question.
 struct Unknown : BadLine {
   using BadLine::BadLine;
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Numbers: the nearest double of a decimal, the shortest decimal that reads back to the same double; no locale.
+// Numbers are read as the nearest double of a decimal, and written as the shortest decimal that reads back to the same
+// double. The locale has no effect.
 
 namespace number {
 
@@ -254,7 +256,7 @@ inline double by_strtod(std::string text) {
   return std::strtod(text.c_str(), nullptr);
 }
 
-// Of a decimal by JSON's grammar. Underflow gives the nearest double, overflow infinity.
+// Reads a decimal by JSON's grammar. Underflow gives the nearest double, overflow gives infinity.
 inline double read(std::string_view text) {
 #if defined(__cpp_lib_to_chars)
   double value = 0;
@@ -264,7 +266,7 @@ inline double read(std::string_view text) {
   return by_strtod(std::string(text));  // beyond the range of doubles, where from_chars gives no value
 }
 
-// A number that is none as a string, since JSON has no such numbers.
+// Infinities and NaN are written as strings, since JSON has no such numbers.
 inline void write(std::string& out, double value) {
   if (std::isnan(value)) {
     out += "\"nan\"";
@@ -303,8 +305,8 @@ struct Value {
   bool boolean = false;
   double number = 0;
   std::string string;
-  std::vector<std::string> names;  // of an object, in order
-  std::vector<Value> values;       // of an array or an object
+  std::vector<std::string> names;  // the names of an object's fields, in order
+  std::vector<Value> values;       // the values of an array or an object
 
   [[nodiscard]] const Value* find(std::string_view name) const {
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -676,7 +678,7 @@ inline Body body_of(const Value& value, const std::string& where) {
 
 }  // namespace question
 
-// The id alone, if the line has one: so that a question which is not understood can be answered all the same.
+// The id alone, if the line has one, so that a question with errors can still be answered.
 inline std::optional<std::string> read_id(const json::Value& line) {
   const json::Value* id = line.find("id");
   if (id == nullptr || id->kind != json::Value::Kind::string) return std::nullopt;
@@ -850,8 +852,8 @@ inline std::string write_answer(const std::string& id, const Answer& answer) {
 // ---------------------------------------------------------------------------------------------------------------------
 // The loop.
 
-// Calls as often as was asked, and says what one call took: the median over batches of calls, so that the clock's own
-// time counts for nothing.
+// Makes the requested number of calls and returns the time of one: the median over batches of calls, so that the
+// clock's own time does not count.
 template <class Call>
 Answer call_repeatedly(Call&& call, int repeat) {
   static constexpr int kBatches = 15;
@@ -884,7 +886,7 @@ Answer ask(Function&& function, const Question& q) {
   }
 }
 
-// One line in, one out. Throws BadLine for what is no question.
+// One line in, one out. Throws BadLine for an invalid question.
 template <class Function>
 std::string answer_line(Function&& function, std::string_view line) {
   const json::Value read = json::read(line);
@@ -898,8 +900,8 @@ std::string answer_line(Function&& function, std::string_view line) {
   }
 }
 
-// Says what the engine is, and answers until the input ends. `put` writes one line and gives false if it could not.
-// Returns the program's exit code: 2 if a line was no question.
+// Declares the engine, and answers until the input ends. `put` writes one line and returns false if it could not.
+// Returns the program's exit code: 2 if a line was not a question.
 template <class Function, class Put>
 int serve_lines(const std::string& says, Function&& function, std::istream& in, Put&& put) {
   if (!put(says)) return 2;
@@ -926,8 +928,8 @@ int serve(const Engine& engine, Function&& function, std::istream& in, std::ostr
   });
 }
 
-// Standard output, for the protocol alone: whatever else the program or its libraries print there from now on goes to
-// standard error.
+// Reserves standard output for the protocol. All other output of the program and its libraries then goes to standard
+// error.
 class Output {
  public:
   Output() {
@@ -996,14 +998,14 @@ struct Pose {
   Vector position{};
   Quaternion orientation;
 };
-// The pivot moves evenly, the body turns about it.
+// The pivot moves at constant velocity, and the body rotates about it.
 inline Pose pose_at(const Body& body, double t) {
   const Vector arm = rotate(body.orientation, body.pivot);
   const Quaternion turn = rotation_of(t * body.rotation);
   return {(body.position + arm) - rotate(turn, arm) + t * body.displacement, turn * body.orientation};
 }
 
-// The vertices of what is a polytope (point, segment, triangle, box, hull), in the body's frame; empty if it is none.
+// The vertices of a polytope (point, segment, triangle, box, hull) in the body's frame. Empty for any other shape.
 inline std::vector<Vector> vertices_of(const Shape& shape) {
   switch (shape.type) {
     case ShapeType::point:

@@ -1,12 +1,12 @@
-// Questions and answers as bytes, between graze and the process in which it has a shared library: what graze_engine.h has,
-// without the reading and writing of lines. `graze host --frames` speaks it; nobody else has to, and both ends are of one
-// build.
+// Questions and answers as bytes, between graze and the process in which it loads a shared library. They hold the
+// content of graze_engine.h without the reading and writing of lines. Only `graze host --frames` speaks this format,
+// and both ends are of one build.
 //
 //   question   QuestionHead; body a; body b            a body: BodyHead; its shape
 //   shape      ShapeHead; its vertices, three doubles each; its parts, shapes
 //   answer     AnswerFrame
 //
-// Everything is a multiple of eight bytes long, so that vertices are read where they lie.
+// Everything is a multiple of eight bytes long, so that vertices can be read in place.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@
 namespace graze::adapter::frames {
 
 inline constexpr std::uint64_t kQuestion = 0x315145'5a415247, kAnswer = 0x315341'5a415247;
-// A question that is longer is none.
+// A longer question is invalid.
 inline constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 28;
 
 struct QuestionHead {
@@ -26,7 +26,7 @@ struct QuestionHead {
   std::uint64_t size = 0;  // bytes of the whole question
   std::uint64_t id = 0;
   std::uint32_t query = 0;  // graze_engine_query
-  std::int32_t repeat = 0;  // as in graze.question/1; 0: not asked for the time
+  std::int32_t repeat = 0;  // as in graze.question/1, 0 if the time is not requested
   std::uint32_t pass_over = 0, unused = 0;
   double origin[3] = {}, direction[3] = {};
   double t_max = 0, target_distance = 0;

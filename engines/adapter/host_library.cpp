@@ -47,7 +47,7 @@ void find(void* handle, const std::string& name, Function& out) {
 
 Library open(const char* file) {
   void* handle = dlopen(file, RTLD_NOW | RTLD_LOCAL);
-  // A name without a slash is looked for where libraries are, not here.
+  // dlopen seeks a name without a slash in the library path and not in the current folder.
   if (handle == nullptr) handle = dlopen(("./" + std::string(file)).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) refuse(dlerror());
   Library out;
@@ -185,7 +185,7 @@ Answer call(Call function, const Asked& asked, const std::vector<std::string>& a
     out.distance = bracket(given.distance, given.distance_upper);
   }
   if (contact && holds("depth")) out.depth = bracket(given.depth, given.depth_upper);
-  // Of a miss only a distance has a direction; of a start in contact not every cast knows one.
+  // A miss has a direction only for the query distance. For a start in contact, some casts know no direction.
   const bool there = out.outcome == Outcome::hit || (found && !std::isnan(given.normal[0]));
   if (holds("normal") && there) out.normal = vector(given.normal);
   if (holds("witnesses") && (out.outcome == Outcome::hit || (found && !std::isnan(given.point_a[0])))) {
@@ -199,7 +199,7 @@ Answer call(Call function, const Asked& asked, const std::vector<std::string>& a
 
 bool read_bytes(void* to, std::size_t size) { return std::fread(to, 1, size, stdin) == size; }
 
-// Walks the bytes of a question; what is beyond their end is a question that is none.
+// Reads the bytes of a question in order. A question that ends too early is invalid.
 class Frame {
  public:
   Frame(const std::vector<double>& words, std::size_t first)
@@ -346,7 +346,8 @@ std::string described(const Library& library, const std::string& file) {
   return write_engine(engine);
 }
 
-// Which fields each query is to hold: from the description, so that a library need not say it twice.
+// The fields that the answers to each query hold. They come from the description, so a library need not list
+// them twice.
 std::map<Query, std::vector<std::string>> answers_of(const std::string& description) {
   std::map<Query, std::vector<std::string>> out;
   const json::Value line = json::read(description);

@@ -11,8 +11,8 @@ struct HostOptions {
   bool frames = false;  // after the first line, questions and answers as bytes (host_frames.hpp)
 };
 
-// Until its input ends: the exit code, 2 for what is no question. Ends the process with 2, and one line on
-// standard error, if the library cannot be opened, or if its description is none.
+// Runs until its input ends and returns the exit code, 2 for an invalid question. Ends the process with 2 and one line
+// on standard error if the library cannot be opened or its description is invalid.
 int host_library(const std::string& file, const HostOptions& options = {});
 
 }  // namespace graze::adapter

@@ -1,4 +1,4 @@
-// graze_engine_host LIBRARY: what `graze host` does, without the judge, its packages and their licences.
+// graze_engine_host LIBRARY: the same as `graze host`, without the judge, its packages and their licences.
 #include <cstdio>
 #include <string_view>
 

@@ -26,7 +26,7 @@ inline std::string joined(const std::vector<std::string>& words) {
   return out;
 }
 
-// The first of each list is what stands where nothing is said.
+// The first of each list is the default.
 inline Arguments read_arguments(int argc, char** argv, const std::vector<std::string>& calls,
                                 const std::vector<std::string>& settings) {
   Arguments out{calls.front(), settings.front()};

@@ -5,18 +5,21 @@
 //          distance    b2Distance                                       overlap, distance
 //   --setting default
 //
-// A question lies in the plane if both bodies are upright prisms (boxes, hulls whose vertices lie in two planes z = c, the
-// same outline in both; cylinders, for distances), nothing moves along z or turns but about z, and their extents in z
-// overlap: then the outlines touch when the bodies do. Everything else is unsupported.
+// A question lies in the plane if three conditions hold:
+// - both bodies are upright prisms: boxes, hulls with all vertices in two planes z = c and the same outline in both,
+//   and for distances also cylinders
+// - nothing moves along z, and all rotation is about z
+// - their extents in z overlap
+// Then the outlines touch when the bodies do. Everything else is unsupported.
 //
 // Box2D documents
 // - b2_linearSlop, 0.005, as "a small length used as a collision and constraint tolerance" (b2_common.h): `tolerance` of
-//   its casts;
-// - moving shapes between 0.1 and 10 metres (manual, "Units"): `lengths`;
-// - that b2TimeOfImpact "may miss some intermediate, non-tunneling collisions" (b2_time_of_impact.h);
-// - that b2ShapeCast gives no hit for an initial overlap (b2_distance.h): `starts` false.
+//   its casts
+// - moving shapes between 0.1 and 10 metres (manual, "Units"): `lengths`
+// - that b2TimeOfImpact "may miss some intermediate, non-tunneling collisions" (b2_time_of_impact.h)
+// - that b2ShapeCast gives no hit for an initial overlap (b2_distance.h): `starts` false
 // Its polygons keep apart by design: b2TimeOfImpact ends at a distance of b2_linearSlop, b2ShapeCast at one of
-// b2_polygonRadius: `margin`. Of circles other distances hold, so that they are not cast.
+// b2_polygonRadius: `margin`. Circles have other distances, so they are not cast.
 //
 // b2ShapeCast moves B alone: `motion` relative. Its normal points from A to B, its time is a fraction of the motion.
 #include <box2d/b2_distance.h>
@@ -47,7 +50,7 @@ struct Prism {
 bool about_z(const Quaternion& q) { return q.x == 0 && q.y == 0; }
 double angle_of(const Quaternion& q) { return 2 * std::atan2(q.z, q.w); }
 
-// Null where the body is no upright prism that stays in its plane.
+// Null if the body is not an upright prism that stays in its plane.
 std::shared_ptr<Prism> prism_of(const Body& body) {
   const Shape& shape = body.shape;
   const Vector& turn = body.rotation;

@@ -13,19 +13,21 @@
 //             margin0-tightest of subsimplex alone: as margin0, but it stops later
 //
 // Bullet promises no tolerance anywhere, so none is declared. It documents
-// - that a margin of 0 "might introduce problems" (user manual, "Collision margin"): what margin0 shows lies beyond that;
+// - that a margin of 0 "might introduce problems" (user manual, "Collision margin"): the results of margin0 lie beyond
+//   that
 // - the size of moving objects, 0.05 to 10 units (its wiki, "Scaling The World"; user manual, "Avoid very small and very
-//   large collision shapes"): `lengths`;
+//   large collision shapes"): `lengths`
 // - that btSubsimplexConvexCast does not take starts in contact (btSubSimplexConvexCast.h, "Precondition"), and no cast
-//   has a way to report one: `starts` false;
-// - that a turn of a step stays below pi/4 (ANGULAR_MOTION_THRESHOLD of LinearMath/btTransformUtil.h): `most_turn`.
+//   has a way to report one: `starts` false
+// - that the rotation per step is below pi/4 (ANGULAR_MOTION_THRESHOLD of LinearMath/btTransformUtil.h): `most_turn`
 // A cast ends at a distance by design: 0.001 in btGjkConvexCast and btContinuousConvexCollision, the root of
 // m_subSimplexCastEpsilon in btSubsimplexConvexCast: `early`.
 //
-// Bullet's normals point from B to A, its fractions run from 0 to 1 over the motion. Its margin rounds a hull and a cone
-// outward; boxes and cylinders are built from their outer extents, and shrunk by it within; of a sphere and a capsule it
-// is the radius. Here each is built such that what it is rounded from is the shape of the question. The casts that go by
-// the whole support (subsimplex, rays) see a box with its corners, not rounded: it is a hull to them.
+// Bullet's normals point from B to A, and its fractions run from 0 to 1 over the motion. Its margin rounds a hull and a
+// cone outward. Boxes and cylinders are built from their outer extents, and the margin shrinks them inward. For a
+// sphere and a capsule the margin is the radius. Here each shape is built such that its core, before rounding, is the
+// shape of the question. The casts that use the whole support (subsimplex, rays) see a box with its corners, not
+// rounded, so the box is a hull for them.
 #include <btBulletCollisionCommon.h>
 
 #include <BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h>
@@ -101,7 +103,7 @@ Moving moving(const Body& body, double t_max, double margin) {
   return {shape_of(body.shape, margin), bullet(pose_at(body, 0)), bullet(pose_at(body, t_max))};
 }
 
-// What a cast says beside its result.
+// The parts of a cast's answer that are not in its result.
 struct Result final : btConvexCast::CastResult {
   bool failed = false;
   void reportFailure(int, int) override { failed = true; }
@@ -139,7 +141,7 @@ auto closest(const Question& q, double margin) {
     input.m_transformB = b.from;
     btPointCollector found;
     detector.getClosestPoints(input, found, nullptr);
-    // It reports no contact: that is a miss to who asks for contacts, and no answer to who asks for a distance.
+    // The call reports no contact. This is a miss for a query about contact, and no answer for a distance.
     if (!found.m_hasResult)
       return query == Query::distance ? Answer::not_converged("no result") : Answer::miss();
     Answer answer = found.m_distance > 0 ? Answer::miss() : Answer::overlapping();
@@ -188,7 +190,7 @@ int run(const Arguments& arguments, const Promise& promise, const std::vector<Qu
                    ShapeType::cone};
   const bool ray = queries.front() == Query::ray;
   if (margin == 0 || (!ray && arguments.call != "subsimplex")) engine.shapes.push_back(ShapeType::box);
-  engine.margin = ray ? margin : 2 * margin;  // a ray is a sphere of radius 0, whose margin is none
+  engine.margin = ray ? margin : 2 * margin;  // a ray is a sphere of radius 0 without a margin
   engine.lengths = {{0.05, 10}};
   engine.pivots = false;
   engine.most_turn = 0.78;

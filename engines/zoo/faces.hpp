@@ -1,11 +1,11 @@
-// The faces of a hull, for engines that want them with its vertices.
+// The faces of a hull, for engines that need them with its vertices.
 //
-// faces_of(points) = the facets of conv(points), each anticlockwise from outside, vertices between the ends of an edge
-//                    left out; nothing if the hull is flat or what was found is no closed surface.
+// faces_of(points) = the facets of conv(points), each anticlockwise from outside, without the vertices between the ends
+//                    of an edge. Nothing if the hull is flat or the faces found do not form a closed surface.
 //
-// Gift wrapping: over each edge the facet whose plane leaves all points behind it. Points within kFlat · size of a
-// facet's plane belong to it. In doubles, for the easy and the merely awkward: an adapter answers `unsupported` where it
-// finds nothing, which is no finding.
+// Gift wrapping: over each edge the next facet is the one whose plane has all points behind it. Points within kFlat ·
+// size of a facet's plane belong to it. Computed in doubles, for inputs that are not extremely degenerate. If no faces
+// are found, an adapter answers `unsupported`, which does not count as a finding.
 #ifndef GRAZE_ENGINES_ZOO_FACES_HPP
 #define GRAZE_ENGINES_ZOO_FACES_HPP
 
@@ -118,7 +118,7 @@ class Wrapping {
         }
         const Vector known = points_[next] - points_[here];
         const double turn = dot(cross(known, way), n) / length(known);
-        // To the right of what is known, or farther on the same line.
+        // To the right of the known edge, or farther on the same line.
         if (turn < -kFlat * size_ || (turn <= kFlat * size_ && length(way) > length(known))) next = i;
       }
       if (next == here || face.size() > in.size()) return {};
@@ -146,7 +146,8 @@ class Wrapping {
       normal = normalized(n);
     }
     if (second == low) return {};
-    // Of the vertices in that plane, which holds a line along z through both, one edge of the hull within it.
+    // Finds one edge of the hull among the vertices in that plane. The plane holds a line along z through both
+    // vertices.
     Face in;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (before(i, low, normal) > -4 * kFlat * size_) in.push_back(i);

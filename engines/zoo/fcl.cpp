@@ -9,18 +9,18 @@
 //             libccd-tightest   the same, with every tolerance and budget as tight as it goes
 //             indep, indep-tightest   the same with GST_INDEP
 //
-// FCL says of no call how far its answer may be off: none of its tolerances is documented as a bound on the answer
-// (CollisionRequest::gjk_tolerance, "it is not clear at all what turning this knob will do to the results";
-// DistanceRequest::distance_tolerance, "the threshold used in GJK algorithm to stop distance iteration";
-// ContinuousCollisionRequest::toc_err, "error in first contact time", which conservative advancement does not read). So
+// FCL states no error bound for any call: none of its tolerances is documented as a bound on the answer. They are
+// CollisionRequest::gjk_tolerance ("it is not clear at all what turning this knob will do to the results"),
+// DistanceRequest::distance_tolerance ("the threshold used in GJK algorithm to stop distance iteration") and
+// ContinuousCollisionRequest::toc_err ("error in first contact time", which conservative advancement does not read). So
 // no tolerance is declared. It documents
 // - that nearest points are on the surfaces with GST_LIBCCD, and need not be with GST_INDEP (DistanceRequest): witnesses
-//   are answered with libccd alone;
+//   are answered with libccd alone
 // - that a hull has faces (convex.h, "Each face must be planar …"): the adapter finds them, and flat hulls are not
-//   supported.
-// A rotating motion is given by its two ends, a turn below pi.
+//   supported
+// A rotating motion is given by its two ends, with a rotation below pi.
 //
-// Boxes and cylinders take full lengths; contact normals point from the first object to the second; times run from 0 to
+// Boxes and cylinders take full lengths. Contact normals point from the first object to the second. Times run from 0 to
 // 1 over the motion. A cast gives no normal.
 #include <fcl/fcl.h>
 #include <graze_adapter.hpp>
@@ -69,7 +69,7 @@ std::shared_ptr<fcl::CollisionGeometryd> shape_of(const Shape& shape) {
   if (found.empty()) return nullptr;
   auto vertices = std::make_shared<std::vector<Eigen::Vector3d>>();
   auto faces = std::make_shared<std::vector<int>>();
-  std::map<std::size_t, int> places;  // of the vertices of the hull alone: Convex wants no others
+  std::map<std::size_t, int> places;  // the hull's own vertices only: Convex takes no others
   for (const Face& face : found) {
     faces->push_back(static_cast<int>(face.size()));
     for (const std::size_t i : face) {
@@ -160,7 +160,7 @@ int main_of(int argc, char** argv) {
   engine.version = FCL_VERSION;
   engine.shapes = {ShapeType::hull,    ShapeType::box,      ShapeType::sphere,
                    ShapeType::capsule, ShapeType::cylinder, ShapeType::cone};
-  if (call != "ca") engine.shapes.push_back(ShapeType::ellipsoid);  // of which ca has no function
+  if (call != "ca") engine.shapes.push_back(ShapeType::ellipsoid);  // ca has no function for it
   engine.pivots = false;
   engine.most_turn = 3.14;
   engine.timed = true;

@@ -3,16 +3,17 @@
 //   --call gjk   ccdGJKIntersect, ccdGJKPenetration       overlap, penetration
 //          mpr   ccdMPRIntersect, ccdMPRPenetration       overlap, penetration
 //          separate  ccdGJKSeparate                       penetration
-//   --setting default   what CCD_INIT sets, but at most 1000 iterations (its examples say 100; without a bound it may
-//                       not come back)
-//             tightest  tolerances of 1e-10 in place of 1e-4 and 1e-6 (EPA ends by its tolerance alone, and on a ball it
-//                       wants as many faces as the root of its inverse: with less it does not come back)
+//   --setting default   the values of CCD_INIT, with at most 1000 iterations (its examples say 100, and without a bound
+//                       it may not return)
+//             tightest  tolerances of 1e-10 instead of 1e-4 and 1e-6 (EPA ends by its tolerance alone. On a ball it
+//                       needs as many faces as the root of the tolerance's inverse. With a smaller one it does not
+//                       return)
 //
 // Its users write the support of a shape themselves: that is the one here, in double, with the centre for MPR at the
 // mean of the vertices, or the origin. Neither epa_tolerance nor mpr_tolerance is documented as a bound on the answer.
 //
-// `dir` is where the second object has to go (ccd.h: "if obj2 is translated by distance depth in direction dir objects
-// will have touching contact"): the direction of least penetration, from A to B.
+// `dir` is the direction in which the second object has to move (ccd.h: "if obj2 is translated by distance depth in
+// direction dir objects will have touching contact"): the direction of least penetration, from A to B.
 #include <ccd/ccd.h>
 #include <ccd/quat.h>
 #include <graze_adapter.hpp>
@@ -47,7 +48,7 @@ Still still(const Body& body) {
 
 double sign(double x) { return x < 0 ? -1 : 1; }
 
-// The farthest point of a shape in direction d, both in its own frame; d is not 0.
+// The farthest point of a shape in direction d, both in its own frame. d is not 0.
 Vector support(const Shape& shape, const Vector& d) {
   const double across = std::hypot(d[0], d[1]);
   const double r = shape.radius;

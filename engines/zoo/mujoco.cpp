@@ -8,10 +8,11 @@
 //             tightest  mpr_tolerance 1e-14, mpr_iterations 10000
 //
 // MuJoCo promises no tolerance of its contacts (XML reference: mpr_tolerance is the "tolerance threshold" of its convex
-// collider). Of a ray that starts inside a geom it gives the way out: `starts` false.
+// collider). For a ray that starts inside a geom it returns the exit: `starts` false.
 //
-// A contact's frame begins with the normal, from geom1 to geom2, and `dist` below 0 is penetration; which geom is which
-// the contact says. Of several contacts the deepest counts. mj_ray gives a multiple of the ray's vector, and no normal.
+// A contact's frame begins with the normal, from geom1 to geom2, and `dist` below 0 is penetration. The contact names
+// its two geoms. If there are several contacts, the deepest counts. mj_ray returns a multiple of the ray's vector, and
+// no normal.
 #include <mujoco/mujoco.h>
 #include <graze_adapter.hpp>
 

@@ -4,13 +4,14 @@
 //          ray       dCollide of a ray                                           ray
 //   --setting default
 //
-// ODE promises no tolerance. Its manual ("Collision Detection") lists what collides with what; of a ray that starts inside
-// a geom it says nothing: `starts` false.
+// ODE promises no tolerance. Its manual ("Collision Detection") lists the supported pairs. It does not mention a ray
+// that starts inside a geom: `starts` false.
 //
-// A contact's normal points into body 1 (contact.h: "if body 1 is moved along the normal vector by a distance depth …
-// then the contact depth will be reduced to zero"): from B to A. Of a ray `depth` is the distance from its start, and
-// the normal points out of the geom. Lengths of capsules (without their caps) and cylinders, and sides of boxes, are whole.
-// A convex geom wants its planes and polygons, and its origin inside: it stands at the mean of its vertices here.
+// A contact's normal points into body 1, from B to A (contact.h: "if body 1 is moved along the normal vector by a
+// distance depth … then the contact depth will be reduced to zero"). For a ray, `depth` is the distance from its start,
+// and the normal points out of the geom. Lengths of capsules (without their caps) and cylinders, and sides of boxes,
+// are full lengths. A convex geom needs its planes and polygons, and its origin inside. Here its origin is the mean of
+// its vertices.
 #include <ode/ode.h>
 #include <graze_adapter.hpp>
 
@@ -39,11 +40,11 @@ struct Geom {
   }
 };
 
-// Fills in a convex geom; gives where its origin is in the body's frame. False if its faces are not found.
+// Fills in a convex geom and sets its origin in the body's frame. False if its faces are not found.
 bool make_convex(Geom& geom, const Points& vertices, Vector& origin) {
   const std::vector<Face> faces = faces_of(vertices);
   if (faces.empty()) return false;
-  std::map<std::size_t, unsigned> places;  // of the vertices of the hull alone
+  std::map<std::size_t, unsigned> places;  // the hull's own vertices only
   std::vector<Vector> corners;
   for (const Face& face : faces) {
     geom.polygons.push_back(static_cast<unsigned>(face.size()));

@@ -9,7 +9,7 @@
 namespace graze::draw {
 namespace {
 
-// A tenth of a pixel; "-0" and ".0" say nothing.
+// Rounds to a tenth of a pixel, and drops "-0" and ".0".
 std::string pixel(Real x) {
   std::string text = fmt::format("{:.1f}", static_cast<double>(x));
   if (text.ends_with(".0")) text.resize(text.size() - 2);

@@ -1,4 +1,4 @@
-// SVG text. Pixels, x to the right, y down; the colours and sizes of all pictures stand here.
+// Writes SVG text in pixels, x to the right, y down. The colours and sizes of all pictures are defined here.
 #pragma once
 
 #include <string>
@@ -28,15 +28,15 @@ struct Rectangle {
 struct Stroke {
   std::string_view colour = kInk;
   double width = 1;
-  std::string_view dashes = "";  // as in SVG; empty: solid
+  std::string_view dashes = "";  // as in SVG, empty for solid
   double opacity = 1;
 };
 
-// What a font of this size takes, about; no font is asked.
+// An estimate of the width in a font of this size. No font is measured.
 [[nodiscard]] Real text_width(std::string_view text, double size);
 // Lines of at most `width` pixels, broken at spaces.
 [[nodiscard]] std::vector<std::string> wrapped(const std::string& text, Real width, double size);
-// 3.2e-7 as 3.2·10⁻⁷; two digits and more; plain from 0.001 to 9999.
+// A number in plain notation: 3.2e-7 as 3.2·10⁻⁷, with two digits or more, as a decimal from 0.001 to 9999.
 [[nodiscard]] std::string plain_number(Real x);
 [[nodiscard]] std::string power_text(int exponent);  // 10⁻⁷
 
@@ -55,7 +55,7 @@ class Canvas {
   // A head at `tip`, as an arrow from `from` has it.
   void arrow_head(const Flat& from, const Flat& tip, std::string_view colour);
   void rectangle(const Rectangle& r, std::string_view fill, const Stroke& stroke);
-  // What follows is clipped to r, until end_clip.
+  // Clips the following elements to r, until end_clip.
   void begin_clip(const Rectangle& r);
   void end_clip();
 

@@ -19,7 +19,7 @@ class Bounds {
     low_ = low_.cwiseMin(p);
     high_ = high_.cwiseMax(p);
   }
-  // The bounds' part within `most` of the place; some length where there is none.
+  // The part of the bounds within `most` of the place. Its half widths are at least `least`.
   [[nodiscard]] Window window(Real most, Real least) const {
     const Flat edge(most, most);
     const Flat low = low_.cwiseMax(-edge), high = high_.cwiseMin(edge);
@@ -32,7 +32,7 @@ class Bounds {
 };
 
 struct Detail {
-  Real half;  // of the window's lesser side
+  Real half;  // half the window's lesser side
   Vec about;  // its middle
   bool is_margin;
 };
@@ -76,7 +76,7 @@ class Picture {
     top_ += 10;
   }
 
-  // The scene as a whole: the bodies where they meet, the way there, as far as four bodies' sizes.
+  // The scene as a whole: the bodies where they meet, and the path to it, up to four bodies' sizes.
   [[nodiscard]] Window whole() const {
     constexpr Real kSizes = 4, kRoom = Real(1.12);
     const Real size = std::max(scene_.diagonal_a, scene_.diagonal_b);
@@ -104,7 +104,8 @@ class Picture {
     return window;
   }
 
-  // What a picture of `half` would not show: a small body, its thickness, the margin. From large to small.
+  // Details that a picture of `half` would not show: a small body, its thickness, the margin. From large to
+  // small.
   [[nodiscard]] std::vector<Detail> details(Real half) const {
     constexpr Real kUnseen = 25, kApart = 8;
     const Real rounding = std::numeric_limits<double>::epsilon() * scene_.scale;
@@ -143,7 +144,7 @@ class Picture {
     return chosen;
   }
 
-  // Where the frames are; the picture's height.
+  // Places the frames, and returns the picture's height.
   Real frames() {
     Window window = whole();
     details_ = details(std::max(window.half_width, window.half_height));

@@ -85,7 +85,7 @@ class Analysis {
   }
 
  private:
-  // Fills `result` and `drawable`, and what the answer knows of the contact.
+  // Fills `result` and `drawable`, and the contact data of the answer.
   void ask() {
     if (problem_.query == corpus::Query::cast) {
       const engine::Method& method = *engine::find_method(engine::Kind::rotating, "plan/double");
@@ -142,7 +142,7 @@ class Analysis {
     scene_.scale = std::max({a.diagonal, b.diagonal, between.norm()});
     scene_.turns = engine::turns(problem_);
     scene_.turn_rate = std::max(wide(problem_.spin_a.rotation).norm(), wide(problem_.spin_b.rotation).norm());
-    // So far that the offset is what the case is about.
+    // So far from the origin, the offset is the subject of the case.
     if (scene_.scale > 0 && scene_.origin.norm() > kFar * scene_.scale) {
       scene_.result += fmt::format("; {} from the origin", plain_number(scene_.origin.norm()));
     }
@@ -209,7 +209,7 @@ class Analysis {
     if (outcome_ != Outcome::not_converged) {
       const auto distance_at = [&](Real t) { return separation_at(t).distance; };
       const Real radians = scene_.turn_rate * last;
-      // A valley of a turning body's distance is hardly narrower than a sixteenth of a radian.
+      // A minimum of a rotating body's distance is rarely narrower than a sixteenth of a radian.
       const int samples = scene_.turns ? static_cast<int>(std::clamp<Real>(16 * radians, 64, 8192)) : 1;
       scene_.moment = last > 0 ? least_of_samples(0, last, samples, distance_at) : Real(0);
     }
@@ -223,7 +223,7 @@ class Analysis {
     if (!scene_.margin) scene_.result += fmt::format("; {}: {}", name, plain_number(clearance));
   }
 
-  // The distance by its normal in Real, where that says more than the doubles it was found in.
+  // The distance along its normal in Real, if that has more digits than the doubles it was found in.
   [[nodiscard]] Real finer(const Separation& s) const {
     const Real by_normal = -height_of_cso(s.normal);
     return by_normal > s.distance / 2 ? by_normal : s.distance;
@@ -244,7 +244,7 @@ class Analysis {
     scene_.speed = scene_.velocity.norm();
   }
 
-  // What the answer hangs on, if it is small: the first of them that is.
+  // Finds the first small quantity that decides the answer.
   void find_margin() {
     if (outcome_ == Outcome::hit) {
       if (scene_.moment > 0) {
@@ -265,7 +265,7 @@ class Analysis {
     const Real best = least_of_samples(0, 2 * std::numbers::pi_v<Real>, 720,
                                        [&](Real angle) { return height_of_cso(n_at(angle)); });
     const Real depth = height_of_cso(n_at(best));
-    // Of a path that just misses: the normal of what is between, to all digits.
+    // For a path that just misses: the normal between the bodies, to all digits.
     if (depth < 0 && scene_.margin) scene_.normal = n_at(best);
     return depth > 0 ? depth : -1;
   }
@@ -312,11 +312,11 @@ class Analysis {
   corpus::Case near_;  // A's position is 0
   Scene scene_;
   Outcome outcome_ = Outcome::invalid_input;
-  Separation witness_;  // of a hit
+  Separation witness_;  // witnesses of a hit
   Vec relative_ = Vec::Zero();
 };
 
-// Of the directions across `axis`, the one along which the bodies are widest.
+// The direction across `axis` along which the bodies are widest.
 Vec widest_across(const Scene& scene, const Vec& axis) {
   const Vec first = axis.unitOrthogonal(), second = axis.cross(first);
   const Pose a = scene.pose_a(scene.moment, scene.focus), b = scene.pose_b(scene.moment, scene.focus);

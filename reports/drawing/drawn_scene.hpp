@@ -1,4 +1,5 @@
-// What a picture of a case shows: when and where the bodies meet or pass, how nearly, and seen from where.
+// The content of a picture of a case: the time and place where the bodies meet or pass, the distance, and the
+// viewing direction.
 #pragma once
 
 #include <string>
@@ -10,7 +11,7 @@ namespace graze::draw {
 // The least distance (>= 0) or the depth of penetration (< 0) of the bodies at one time.
 struct Separation {
   Real distance = 0;
-  Vec normal = Vec::Zero();                          // unit, from A to B; zero where none is known
+  Vec normal = Vec::Zero();                          // unit, from A to B, zero if none is known
   Vec point_a = Vec::Zero(), point_b = Vec::Zero();  // about the scene's origin
 };
 
@@ -23,15 +24,15 @@ struct Scene {
   Vec origin = Vec::Zero();  // A's position: places below are seen from here
   Real diagonal_a = 0, diagonal_b = 0, scale = 0;
   bool turns = false;
-  Real speed = 0;           // of B's contact point past A's at the moment, length per unit of t
+  Real speed = 0;           // speed of B's contact point past A's at the moment, length per unit of t
   Real turn_rate = 0;       // the faster body's, radians per unit of t
   Real moment = 0;          // first contact, or the nearest approach
   Real end = 0;             // the last time that is drawn
-  Vec focus = Vec::Zero();  // where the bodies meet, or the middle of what is between them
+  Vec focus = Vec::Zero();  // the contact, or the middle of the gap between the bodies
   Vec touching_a = Vec::Zero(), touching_b = Vec::Zero();  // the points of A and B, at the moment
   Vec normal = Vec::Zero();                                // unit, from A to B
-  Vec velocity = Vec::Zero();                              // of B's point there, seen from A's
-  // A length that the case turns on, where one is far below the scene: a clearance, a depth, a gap.
+  Vec velocity = Vec::Zero();                              // velocity of B's point there relative to A's
+  // A length that decides the case, if one is far below the scene: a clearance, a depth, a gap.
   std::optional<Real> margin;
   std::string margin_name;
 
@@ -43,7 +44,7 @@ struct Scene {
   }
 };
 
-// Asks our default method, once; of a miss it searches the nearest approach.
+// Calls our default method once. For a miss it searches the nearest approach.
 [[nodiscard]] Scene make_scene(const corpus::Case& problem);
 
 // Towards `axis`, or, without one, along the contact plane and across the motion: A below, B above, moving

@@ -34,7 +34,7 @@ std::vector<Vec3<double>> prepared(const std::vector<Vec>& vertices) {
   return out;
 }
 
-// An edge is no line where the two faces are one, but for rounding.
+// An edge is not drawn if its two faces are coplanar up to rounding.
 bool is_flat(const Vec& n, const Vec& m) { return n.cross(m).norm() <= Real(1e-9) && n.dot(m) > 0; }
 
 Lines polytope_edges(const std::vector<Vec>& vertices, const Pose& pose, const View& view) {

@@ -171,7 +171,7 @@ struct PolytopeVertices {
 
 Real cross(const Flat& l, const Flat& r) { return l[0] * r[1] - l[1] * r[0]; }
 
-// Andrew's monotone chain (1979); anticlockwise.
+// Andrew's monotone chain (1979), anticlockwise.
 std::vector<Flat> flat_hull(std::vector<Flat> points) {
   const auto less = [](const Flat& l, const Flat& r) { return l[0] != r[0] ? l[0] < r[0] : l[1] < r[1]; };
   std::sort(points.begin(), points.end(), less);

@@ -1,8 +1,8 @@
-// Where bodies are and how they look from afar: outlines by parallel projection.
+// Poses of bodies and their outlines in parallel projection.
 //
-// Everything is in Real, whose unit roundoff is 2^-64 where the machine has it (x86) and 2^-53 at the least:
-// a detail at 10^15 magnification is then still drawn from digits that mean something. For pictures only;
-// nothing here judges an answer.
+// Everything is in Real. Its unit roundoff is 2^-64 if the machine has it (x86) and at most 2^-53. A detail
+// at 10^15 magnification then still has significant digits. Used for pictures only: no answer is judged by
+// it.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ struct Pose {
   Vec position = Vec::Zero();
 };
 
-// The axes of a picture, unit and right-handed; towards points to the viewer.
+// The axes of a picture, unit and right-handed. `towards` points to the viewer.
 struct View {
   Vec right = Vec::UnitX(), up = Vec::UnitY(), towards = Vec::UnitZ();
 
@@ -43,7 +43,7 @@ struct Window {
 // R(w): by |w| radians about w.
 [[nodiscard]] Mat turn_by(const Vec& w);
 
-// A point of the shape that is farthest along n; the shape's frame. Every part must be there.
+// A point of the shape that is farthest along n, in the shape's frame. Every part must be present.
 [[nodiscard]] Vec support_point(const Shape<double>& shape, const Vec& n);
 // max n.x over the posed shape.
 [[nodiscard]] Real height(const Shape<double>& shape, const Pose& pose, const Vec& n);
@@ -54,11 +54,11 @@ struct Extent {
 };
 [[nodiscard]] Extent extent(const Shape<double>& shape);
 
-// The vertices whose hull the shape is; nothing for a curved shape or one of more than 4096.
+// The vertices whose hull is the shape. Nothing for a curved shape or one with more than 4096 vertices.
 [[nodiscard]] std::optional<std::vector<Vec>> polytope_vertices(const Shape<double>& shape);
 
-// The outline of the posed shape's projection, anticlockwise: of a polytope the hull of its projected
-// vertices; of a curved shape a polygon within `tolerance` of it inside the window.
+// The outline of the posed shape's projection, anticlockwise. For a polytope it is the hull of the projected
+// vertices. For a curved shape it is a polygon within `tolerance` of the outline inside the window.
 [[nodiscard]] std::vector<Flat> outline(const Shape<double>& shape, const Pose& pose, const View& view,
                                         const Window& window, Real tolerance);
 
@@ -68,7 +68,7 @@ struct Extent {
 
 // The part of a convex polygon, of two points too, that lies in the window.
 [[nodiscard]] std::vector<Flat> clip_polygon(std::vector<Flat> polygon, const Window& window);
-// The part of a segment; nothing if it lies outside.
+// The part of a segment inside the window. Nothing if it lies outside.
 [[nodiscard]] std::optional<std::pair<Flat, Flat>> clip_segment(Flat from, Flat to, const Window& window);
 
 }  // namespace graze::draw

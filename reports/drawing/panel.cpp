@@ -26,7 +26,8 @@ std::string time_text(Real t) { return t == 0 ? "t = 0" : "t = " + plain_number(
 
 }  // namespace
 
-// Straight motions: as many as have room; turning ones: a sixth of a turn apart and over one turn at most.
+// The times of drawn poses. Translations have as many as fit. Rotations have one per sixth of a turn, over
+// one turn at most.
 Timing make_timing(const Scene& scene) {
   constexpr Real kTurnShown = Real(3.2);  // radians before and after the moment
   Timing timing;
@@ -77,7 +78,7 @@ std::vector<Flat> Panel::pixel_outline(const Shape<double>& shape, const Pose& p
 }
 
 void Panel::body(Canvas& canvas, bool is_b, Real t, Style style) {
-  constexpr Real kDot = 3;  // what is smaller is drawn as a dot
+  constexpr Real kDot = 3;  // anything smaller is drawn as a dot
   const Shape<double>& shape = (is_b ? scene_.problem->b : scene_.problem->a).shape;
   const Pose pose = is_b ? scene_.pose_b(t, about_) : scene_.pose_a(t, about_);
   const std::string_view colour = is_b ? kColourB : kColourA;
@@ -115,7 +116,7 @@ void Panel::body(Canvas& canvas, bool is_b, Real t, Style style) {
   if (style != Style::ghost) seen_.push_back({is_b, t, box});
 }
 
-// Where the bodies are at the times of wrong answers.
+// Draws the bodies at the times of wrong answers.
 void Panel::claims(Canvas& canvas, bool is_detail) {
   const corpus::Case& problem = *scene_.problem;
   for (const DrawClaim& claim : claims_) {
@@ -150,7 +151,7 @@ void Panel::draw_axes(Canvas& canvas) {
                kPale);
 }
 
-// Of a hull: what it lists and does not show as a corner is part of the case.
+// Draws a hull's listed vertices. A vertex that is not a corner is still part of the case.
 void Panel::listed_vertices(Canvas& canvas, const Shape<double>& shape, const Pose& pose,
                             std::string_view colour) {
   constexpr std::size_t kMost = 96;
@@ -163,7 +164,7 @@ void Panel::listed_vertices(Canvas& canvas, const Shape<double>& shape, const Po
   }
 }
 
-// Where the distance to A is the target's.
+// Draws the surface at the target distance from A.
 void Panel::target(Canvas& canvas) {
   if (!(scene_.problem->target_distance > 0)) return;
   const Shape<double> wider = rounded(scene_.problem->a.shape, scene_.problem->target_distance);
@@ -171,7 +172,7 @@ void Panel::target(Canvas& canvas) {
                  {.colour = kColourA, .width = 1, .dashes = "5 3"});
 }
 
-// Of the point of a body that touches, or comes nearest.
+// Draws the path of the point of a body that touches, or comes nearest.
 void Panel::path(Canvas& canvas, bool is_b) {
   const auto pose_at_time = [&](Real t) {
     return is_b ? scene_.pose_b(t, about_) : scene_.pose_a(t, about_);
@@ -269,7 +270,7 @@ void Panel::place(Canvas& canvas, const Rectangle& box, const std::string& words
 }
 
 void Panel::labels(Canvas& canvas) {
-  // What was drawn last is on top, and named first.
+  // The last thing drawn is on top, and it is named first.
   for (auto seen = seen_.rbegin(); seen != seen_.rend(); ++seen) {
     // A body that ends as it began, or nearly, is named once.
     const auto covers = [&](const Seen& other) {

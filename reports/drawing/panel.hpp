@@ -10,7 +10,7 @@
 
 namespace graze::draw {
 
-// The times that are drawn, beside the start and the moment; and the path's.
+// The times of the drawn poses, in addition to the start and the moment, and the times of the path.
 struct Timing {
   std::vector<Real> ghosts;
   std::vector<Real> path;  // enough of them to be joined by lines
@@ -32,14 +32,14 @@ class Panel {
 
   // The wrong ones with a time are drawn, dashed.
   void set_claims(std::span<const DrawClaim> claims) { claims_ = claims; }
-  // The world's axes, in the lower right corner, and where the picture is seen from.
+  // The world's axes, in the lower right corner, and the viewing direction.
   void draw_axes(Canvas& canvas);
 
   // Pixels of one unit of length.
   [[nodiscard]] Real scale() const { return scale_; }
   [[nodiscard]] Flat to_pixels(const Flat& p) const;
 
-  // The bodies, the path, the contact; `note` in the upper left corner.
+  // Draws the bodies, the path and the contact, with `note` in the upper left corner.
   void draw(Canvas& canvas, const std::string& note, bool is_detail);
 
  private:
@@ -57,7 +57,8 @@ class Panel {
   void labels(Canvas& canvas);
   void scale_bar(Canvas& canvas);
   enum class Side { above, below, right };
-  // Where the words have room by the box, within it or beside it, `first` first; they are noted as taken.
+  // Puts the words where they have room by the box, within it or beside it, on side `first` first. Their area
+  // is marked as occupied.
   void place(Canvas& canvas, const Rectangle& box, const std::string& words, std::string_view colour,
              Side first);
 

@@ -19,10 +19,12 @@ using draw::Vec;
 using Support = std::function<Vec(const Vec&)>;
 
 constexpr int kLeastRings = 4, kMostRings = 20, kRingDirections = 12;
-// Of a difference, whose contact nobody magnifies as they do the bodies': the last ring is at 0.1 degrees.
+// The grid of a difference. Its contact is magnified less than the bodies', so the last ring is at 0.1
+// degrees.
 constexpr Grid kOfDifference = {28, 14, 8};
 constexpr Real kFirstRing = 0.3L;  // radians
-// The hull of more differences than these is not formed; the difference is then sampled as a curved shape is.
+// With more differences than these, the hull is not formed. The difference is then sampled as a curved shape
+// is.
 constexpr std::size_t kMostDifferences = 4096;
 // Planes that differ by less are one face, to the eye: of polytopes only what rounding makes of one face.
 constexpr double kSmoothAngle = 0.6, kFlatAngle = 1e-7;  // radians
@@ -103,7 +105,7 @@ std::vector<Vec3<double>> sampled(const Support& support, const Vec& towards, Gr
   };
   const auto add_both = [&](const Vec& n) {
     add_coarse(n);
-    // Of a set that is long and thin, the direction whose point is as far along the length as n.
+    // For a long, thin set: the direction whose point lies as far along the length as n.
     if (most <= 0) return;
     const Vec scaled(n[0] / std::max(half[0], most / 1000), n[1] / std::max(half[1], most / 1000),
                      n[2] / std::max(half[2], most / 1000));

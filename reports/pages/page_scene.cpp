@@ -60,14 +60,14 @@ struct ShapeName {
 
 std::string label_of(const Method& method) { return method.is_ours() ? method.question_name() : method.name; }
 
-// What a method answers, and what the judge says of it; why it is not judged, where it is not.
+// A method's answer and its judgement, or the reason why it is not judged.
 struct Judged {
   Answer answer;
   std::optional<law::Judgement> judgement = {};
   std::string unjudged = {};
 };
 //
-// Of one that promises nothing the judge lets everything pass; here it is held to what can be seen to be wrong.
+// The judge accepts every answer of a method without a guarantee. Here its answers are held to visible errors.
 constexpr double kSeen = 1e-6;  // over scale
 
 Judged ask_and_judge(const Method& asked, const Case& problem) {
@@ -174,7 +174,7 @@ class Document {
       out_["margin"] = {{"name", scene_.margin_name}, {"length", static_cast<double>(*scene_.margin)}};
     out_["a"] = body(false);
     out_["b"] = body(true);
-    // Of bodies that turn C is another at every time: it is shown as it is at the moment.
+    // For rotating bodies, C depends on the time. It is shown at the moment.
     const Real when = scene_.turns ? scene_.moment : Real(0);
     Mesh difference = mesh_of_difference(problem_.a.shape, at(false, when), problem_.b.shape, at(true, when),
                                          problem_.target_distance, scene_.normal);
@@ -209,7 +209,7 @@ class Document {
     if (outcome == Outcome::hit) out_["truth"]["depth"] = enclosure(true_one.depth());
   }
 
-  // Our answer with the strongest proof, and what the checker says of it.
+  // Our answer with the strongest proof, and the checker's result.
   void reference() {
     if (!is_cast()) return;
     const Method* method =
@@ -244,7 +244,7 @@ class Document {
   Json rotating_proof(const Method& method, const RotatingProof& proof) const {
     const oracle::RotatingVerdict verdict = oracle::check_rotating_proof(problem_, proof);
     Json chain = Json::array();
-    // Evenly thinned; each that is kept is drawn within its own slice only.
+    // Evenly thinned. Each one that is kept is drawn within its own slice only.
     const std::size_t step =
         (proof.chain.size() + settings_.most_chain - 1) / std::max<std::size_t>(1, settings_.most_chain);
     double begin = 0;

@@ -35,7 +35,7 @@ class Shapes {
   Json list_ = Json::array();
 };
 
-// Which of n are drawn: those that meet somebody, in the order of events, then the others.
+// The bodies of n that are drawn: first those that meet another, in the order of events, then the others.
 std::vector<bool> drawn(std::size_t n, const scene::Report& report, std::size_t most) {
   std::vector<bool> out(n);
   std::size_t left = most;
@@ -53,7 +53,7 @@ std::vector<bool> drawn(std::size_t n, const scene::Report& report, std::size_t 
   return out;
 }
 
-// What was cast and what was not, in a sentence; the counts behind it are the lines of to_text(Counts).
+// A sentence that says what was cast and what was not. Its counts are the lines of to_text(Counts).
 std::string spared_sentence(const Counts& counts) {
   const std::uint64_t casts = counts.effects[1] + counts.effects[2] + counts.effects[3];
   std::string text =

@@ -19,7 +19,7 @@ namespace {
 using corpus::Case;
 using engine::Method;
 
-// What the page reads of the document is there. Which values are right is the schema's to say.
+// Checks that the fields which the page reads are present. The schema checks their values.
 void require(const Json& object, const std::string& where, std::initializer_list<const char*> fields) {
   if (!object.is_object()) throw std::runtime_error(where + ": is an object");
   for (const char* field : fields) {
@@ -134,7 +134,7 @@ class Scenes {
   }
 
   const PricePageSettings& settings_;
-  std::list<Asked> asked_;  // where they are does not change
+  std::list<Asked> asked_;  // a list, so that addresses do not change
   std::map<std::string, const Asked*> by_label_;
   std::map<std::string, std::pair<Case, std::vector<const Asked*>>> cases_;
 };

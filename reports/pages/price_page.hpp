@@ -10,7 +10,7 @@
 namespace graze::show {
 
 struct PricePageSettings {
-  std::string command = {};      // that made the list; empty for none
+  std::string command = {};      // command that made the list, empty for none
   std::string plain = {};        // the same in words, for a page without the viewer
   std::size_t most_scenes = 40;  // cases that can be looked at
 };
@@ -18,7 +18,7 @@ struct PricePageSettings {
 // The whole page. Throws std::runtime_error that says which field of the document is wrong.
 [[nodiscard]] std::string price_page(const Json& document, const PricePageSettings& settings = {});
 
-// The document of a text; throws std::runtime_error where it is no JSON.
+// Parses the document. Throws std::runtime_error if the text is not JSON.
 [[nodiscard]] Json read_price(std::string_view text);
 
 }  // namespace graze::show

@@ -70,7 +70,7 @@ Tables tables_of(const Document& document, Bodies bodies) {
   return tables;
 }
 
-// What breaks the rule, worst first; nothing: it is kept.
+// The worst violation of the rule, or nothing if the rule is kept.
 std::optional<std::string> fault(const Overall& one, const Rule& rule) {
   if (one.unsettled > 0) return fmt::format("does not answer {} of {}", one.unsettled, one.asked);
   if (one.open > 0) return fmt::format("leaves {} of {} verdicts open", one.open, one.asked);
@@ -82,7 +82,7 @@ std::optional<std::string> fault(const Overall& one, const Rule& rule) {
   return {};
 }
 
-// Among costs that are alike: what cast() does without a method, and what rounds correctly.
+// Among equal costs: the method that cast() uses by default, and one that rounds correctly.
 bool comes_first(const Row& row) { return row.method == "plan" || row.tier == "exact"; }
 
 Advice advice_by(const Rule& rule, const Tables& tables) {
@@ -118,7 +118,7 @@ Advice advice_by(const Rule& rule, const Tables& tables) {
   return out;
 }
 
-// A method of tier standard as the options name it; nothing: it is what cast() does without one.
+// The name in the options of a method of tier standard. Nothing if cast() uses it by default.
 std::string enumerator_of(const std::string& method) {
   if (method == "ca") return fmt::format("Method::{}", to_text(Method::conservative_advancement));
   if (method == "gjk") return fmt::format("Method::{}", to_text(Method::gjk_ray_cast));

@@ -1,5 +1,5 @@
-// Which method to take for a game, a robot and a CAD tool, and why: what each asks of its answers is a rule,
-// and the cheapest contender of a run that keeps the rule on every case is taken.
+// Recommends a method for a game, a robot and a CAD tool, and says why. Each user's requirement is a rule.
+// The advice is the cheapest contender of a run that keeps the rule on every case.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace graze::price {
 
-// The rules, whatever a run measured: a line a user and a kind of bodies.
-//   game   every verdict decided, no answer off by more than 1e-3 of scale; a float will do
-//   robot  never late, not by a bit; no contact missed; every verdict decided; and a tier that promises it
-//   CAD    that, and the time: of polytopes to 1e-15 of scale, of other shapes 1e-12, of turning bodies 1e-9
-// Whatever the rounds cannot tell from the cheapest (5 %) is as cheap; of those the plan comes first, which
-// cast() follows without a method, and tier exact, whose time is correctly rounded.
+// The rules are fixed, whatever a run measured. There is a line for each user and kind of bodies.
+//   game   every verdict decided, no answer off by more than 1e-3 of scale, float is enough
+//   robot  never late by even one bit, no contact missed, every verdict decided, and a tier that guarantees this
+//   CAD    the same, and a time to 1e-15 of scale for polytopes, 1e-12 for other shapes, 1e-9 for rotating bodies
+// Contenders that the rounds cannot tell from the cheapest (5 %) count as equally cheap. Two of those are preferred: the
+// plan, because cast() follows it without a method, and tier exact, because its time is correctly rounded.
 [[nodiscard]] std::vector<Advice> advice_of(const Document& document);
 
-// How that contender is asked in C++: "graze::cast(a, b, {.tolerance = 1e-06})", with what the bodies
-// are in a line above.
+// The call of that contender in C++: "graze::cast(a, b, {.tolerance = 1e-06})", with a line above that describes the
+// bodies.
 [[nodiscard]] std::string call_of(const Row& row);
 
 }  // namespace graze::price

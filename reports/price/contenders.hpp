@@ -1,4 +1,4 @@
-// Who stands in a table: a method with what it is asked.
+// The contenders of a table: a method with its request.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace graze::price {
 struct Contender {
   const engine::Method* method = nullptr;
   engine::Ask ask = {};
-  Row head = {};  // who it is; nothing measured yet
+  Row head = {};  // identifies the contender, before any measurement
 };
 
 // 1e-1 down to what the scalar reaches, over scale, and 0: the least that a method reaches.
@@ -21,7 +21,7 @@ struct Contender {
                                                    const std::vector<const engine::Method*>& others,
                                                    bool thorough);
 
-// Whether a method is asked a case at all.
+// True if a method is asked the case.
 [[nodiscard]] bool takes(const engine::Method& method, const corpus::Case& problem);
 
 }  // namespace graze::price

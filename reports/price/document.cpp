@@ -112,7 +112,7 @@ Json json_of(const Advice& one) {
           {"because", one.because}};
 }
 
-// A value of the document, and its place in it for what is said of a wrong one.
+// A value of the document, and its place for error messages.
 class Reader {
  public:
   Reader(const Json& value, std::string path) : value_(value), path_(std::move(path)) {}
@@ -270,7 +270,7 @@ Advice advice_from(const Reader& in) {
 
 std::string csv_number(double x) { return std::isfinite(x) ? fmt::format("{}", x) : ""; }
 
-// RFC 4180: in quotes where it has to be.
+// RFC 4180: quotes are added if needed.
 std::string csv_text(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string out = "\"";

@@ -1,8 +1,8 @@
-// What graze price measured, as it is written, read, drawn and compared: graze.price/1
-// (docs/schemas/graze.price.schema.json says what each field means).
+// The measurements of graze price, as they are written, read, drawn and compared: graze.price/1
+// (docs/schemas/graze.price.schema.json describes each field).
 //
-// Times are nanoseconds a call; errors are lengths over the scale of the question. NaN: there is no such
-// number; it is written as null.
+// Times are nanoseconds per call. Errors are lengths over the scale of the question. NaN means that there is no such
+// number, and is written as null.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 struct Times {
   double median = 0, mean = 0, p95 = 0, p99 = 0, worst = 0;
 };
-// Of one value a round.
+// The spread of a value that each round measures once.
 struct Spread {
   double median = 0, low = 0, high = 0;
 };
@@ -59,7 +59,7 @@ struct TruthCounts {
 struct Shown {
   std::string id, outcome;
   std::optional<std::pair<double, double>> toi = {};
-  std::string written = {};  // JSON; empty: too large to be kept
+  std::string written = {};  // as JSON, empty if it is too large to be kept
 };
 
 enum class Part : std::uint8_t { family, growth, request, query };
@@ -88,13 +88,13 @@ struct Sentence {
   std::string topic, text;
 };
 
-// Which contender to take for whom (reports/price/advice.hpp). Over the cases of `tables` tables; an empty label: of
-// those none will do.
+// The contender recommended for a user (reports/price/advice.hpp), over the cases of `tables` tables. An empty label
+// means that none of them keeps the rule.
 struct Advice {
-  std::string user = {}, wants = {}, bodies = {};  // "a game"; what it asks of an answer; "that turn"
+  std::string user = {}, wants = {}, bodies = {};  // "a game", its requirement, "that turn"
   std::string label = {}, call = {}, baseline = {};
   Spread cost = {};                      // over the baseline's time: the tables' geometric mean, and the ends
-  double worst = kNone, denied = kNone;  // error over scale; how far wrong verdicts are from a tie
+  double worst = kNone, denied = kNone;  // error over scale, distance of wrong verdicts from a tie
   std::size_t tables = 0, asked = 0, wrong = 0;
   std::string because = {};
 };

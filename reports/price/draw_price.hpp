@@ -16,16 +16,16 @@
 
 namespace graze::price {
 
-// One table to be measured: what its cases are, and who is asked.
+// A table to be measured: its cases and its contenders.
 struct Topic {
   PriceTable head = {};  // without rows
   engine::Kind kind = engine::Kind::linear;
-  bool measures = true;  // its errors are measured; else times and work alone
-  bool sweeps = true;    // over tolerances; else the least that each method reaches
+  bool measures = true;  // true if its errors are measured, else only times and work
+  bool sweeps = true;    // true for a range of tolerances, else the least that each method reaches
   std::size_t cases = 1;
   std::function<corpus::Case(corpus::Random&, std::size_t place)> draw = {};
-  // What rows are asked: "cast" with these requests, or the queries.
-  std::vector<std::string> methods = {};  // by question_name without the scalar; empty: all of the kind
+  // The requests of the rows: "cast" with these requests, or the queries.
+  std::vector<std::string> methods = {};  // by question_name without the scalar, empty for all of the kind
   std::vector<Request> requests = {Request::verdict};
   bool in_float = true;  // float, too
 };

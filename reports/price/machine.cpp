@@ -1,4 +1,4 @@
-// Where a run was made.
+// Describes the machine of a run.
 #include <fmt/format.h>
 
 #include <cstdlib>

@@ -25,7 +25,7 @@ const Method* reference_for(Kind kind) {
   return kind == Kind::rotating ? engine::find_method(Kind::rotating, "certified/double") : nullptr;
 }
 
-// An error that is infinite, or of no number, is none: it is counted among the failures.
+// An infinite error or NaN is not a number to report. The answer is counted among the failures.
 double finite(double error) { return std::isfinite(error) ? error : kNone; }
 
 bool is_contact(Outcome outcome) {

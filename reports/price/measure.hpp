@@ -1,10 +1,12 @@
-// One answer against what is true of its case.
+// Compares one answer with the truth about its case.
 //
-// Truth is the exact oracle's, of polytopes alone or rounded; of other shapes the bracket oracle's, proved in
-// ball arithmetic; of bodies that turn the certified tier's, its proof accepted by the checker, and where
-// there is none the bracket oracle's. What no one decides is open, and no answer to it is wrong or late.
+// The truth comes from three sources:
+// - the exact oracle for polytopes, rounded or not
+// - the bracket oracle for other shapes, proved in ball arithmetic
+// - the certified tier for rotating bodies if the checker accepts its proof, else the bracket oracle
+// A case that no source decides is open, and no answer to it is wrong or late.
 //
-// Errors are of toi_lower, the time that is handed to a simulator; every one is what is proved at most.
+// Errors are those of toi_lower, the time that a simulator uses. Every error is a proved upper bound.
 #pragma once
 
 #include <map>
@@ -27,7 +29,7 @@ struct Measured {
 
 enum class TruthBy : std::uint8_t { exact, bracket, proof, open };
 
-// What is true of one case. For one thread.
+// The truth about one case. Use it in one thread only.
 class Judge {
  public:
   explicit Judge(corpus::Case problem, engine::Kind kind);

@@ -36,7 +36,7 @@ class Rows {
     count("answers that do not converge", before_.failures.not_converged, after_.failures.not_converged);
     count("answers without a time", before_.failures.no_time, after_.failures.no_time);
     count("refusals", before_.failures.refused, after_.failures.refused);
-    // Of proofs fewer are worse.
+    // Fewer proofs are worse.
     if (after_.proved != before_.proved)
       say(after_.proved < before_.proved, fmt::format("proofs {} -> {}", before_.proved, after_.proved));
   }
@@ -71,13 +71,14 @@ class Rows {
     if (before > std::max(settings_.error_factor * after, noise))
       say(false, fmt::format("{} {:.1e} -> {:.1e} of scale", what, before, after));
   }
-  // What is late or wrong by rounding alone may change with the compiler; it is said where it is more.
+  // Answers that are late or wrong only by rounding may change with the compiler. They are reported if there
+  // are more.
   void count(const char* what, std::size_t before, std::size_t after) {
     if (before == after) return;
     const bool by_rounding =
         (std::string_view(what) == "late answers" && !(after_.late_by > noise_of(after_))) ||
         (std::string_view(what) == "wrong verdicts" && !(after_.denied > noise_of(after_)));
-    // Certified and exact promise that there is none.
+    // Tiers certified and exact guarantee that there are no such answers.
     const bool promised = after_.tier == "certified" || after_.tier == "exact";
     if (after > before && by_rounding && !promised) return;
     say(after > before, fmt::format("{} {} -> {}", what, before, after));

@@ -61,7 +61,7 @@ Answers ask_all(const Topic& topic, const std::vector<Case>& cases, const std::v
   return out;
 }
 
-// ns[round][contender][case]; NaN: not timed.
+// ns[round][contender][case], NaN if not timed.
 using Clocked = std::vector<std::vector<std::vector<double>>>;
 
 Clocked time_all(const std::vector<Case>& cases, const std::vector<Contender>& contenders,
@@ -101,7 +101,7 @@ Clocked time_all(const std::vector<Case>& cases, const std::vector<Contender>& c
   return ns;
 }
 
-// Of one case the median of its rounds.
+// For each case, the median over the rounds.
 std::vector<double> medians(const Clocked& ns, std::size_t contender) {
   std::vector<double> out(ns.front()[contender].size());
   for (std::size_t i = 0; i < out.size(); ++i) {

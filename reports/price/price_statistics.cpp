@@ -13,7 +13,7 @@ std::vector<double> numbers(std::span<const double> values) {
   return out;
 }
 
-// The slope of the line of least squares; NaN where x does not vary.
+// The slope of the least-squares line. NaN if x does not vary.
 double slope(const std::vector<std::pair<double, double>>& points) {
   const auto n = static_cast<double>(points.size());
   double x = 0, y = 0;

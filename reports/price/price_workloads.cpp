@@ -15,7 +15,7 @@ namespace graze::price {
 namespace {
 
 constexpr const char* kMethods[] = {"plan/float", "plan/double", "certified/double"};
-constexpr int kRepeats = 3;  // of each cast: what else the machine does falls on one of them
+constexpr int kRepeats = 3;  // of each cast, since other load on the machine falls on one of them
 
 std::string place_of(double level) { return level > 0 ? "1 km out" : "origin"; }
 
@@ -47,7 +47,7 @@ void count(WorkloadRow& row, Outcome outcome) {
   }
 }
 
-// Nothing where it is stopped.
+// Empty if it is stopped.
 std::optional<WorkloadRow> measure(const corpus::Family& workload, double level, const engine::Method& method,
                                    const WorkloadSettings& settings, tool::Progress& progress) {
   WorkloadRow row{
@@ -94,7 +94,7 @@ std::vector<std::string> cells_of(const WorkloadRow& row) {
           fmt::format("{}", row.most_supports)};
 }
 
-// Over all workloads and places, a row a method.
+// A row for each method, over all workloads and places.
 std::vector<WorkloadRow> totals(const std::vector<WorkloadRow>& rows) {
   std::vector<WorkloadRow> out;
   for (const char* method : kMethods) {

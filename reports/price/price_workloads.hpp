@@ -1,5 +1,5 @@
-// What the steps of simulations cost: each workload (corpus/workloads.hpp) asked of the three tiers that a
-// simulator chooses among, its answers counted and its casts timed one by one.
+// Measures the cost of the steps of simulations. The three tiers that a simulator chooses among are asked
+// each workload (corpus/workloads.hpp). Their answers are counted and their casts are timed one by one.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace graze::price {
 
-// Of one workload at one place, asked of one method.
+// A method's results on one workload at one place.
 struct WorkloadRow {
   std::string workload, place, method;
   std::size_t hits = 0, misses = 0, overlapping = 0, not_converged = 0, refused = 0;
@@ -25,13 +25,13 @@ struct WorkloadRow {
 };
 
 struct WorkloadSettings {
-  std::uint64_t casts = 1000;  // of each workload at each place
+  std::uint64_t casts = 1000;  // for each workload at each place
   std::uint64_t seed = 1;
-  std::vector<std::string> only = {};  // workloads by name; empty: all
+  std::vector<std::string> only = {};  // workloads by name, empty for all
   std::function<bool()> stop = [] { return false; };
 };
 
-// By workload, place and method. What is stopped has the rows that were finished.
+// Rows by workload, place and method. A stopped run returns the rows that were finished.
 [[nodiscard]] std::vector<WorkloadRow> measure_workloads(const WorkloadSettings& settings);
 
 // A table as text, and docs/reports/workloads.md, whole.

@@ -23,7 +23,7 @@ std::string ratio_text(const std::optional<Spread>& ratio) {
   return ratio ? fmt::format("{:.2f} ({:.2f}-{:.2f})", ratio->median, ratio->low, ratio->high) : "-";
 }
 
-// Of a sweep over tolerances a few are enough to be read.
+// A few rows are enough to read a sweep over tolerances.
 bool is_telling(const Row& row) {
   const double t = row.tolerance;
   return t == 0 || std::abs(t - 1e-1) < 1e-9 || std::abs(t - 1e-3) < 1e-9 || std::abs(t - 1e-6) < 1e-12;

@@ -1,4 +1,4 @@
-// What graze price shows: a table a family, curves, requests, and the sentences.
+// The text of graze price: a table for each family, curves, requests, and the sentences.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace graze::price {
 
-// `full`: every table; else those of families at their ends and at 1e-3, 1e-6, and all sentences.
+// With `full`: every table. Otherwise the tables of families at their ends and at 1e-3, 1e-6, and all
+// sentences.
 [[nodiscard]] std::string screen_of(const Document& document, bool full);
 
 }  // namespace graze::price

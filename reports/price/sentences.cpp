@@ -43,8 +43,8 @@ class Range {
   std::string low_at_, high_at_;
 };
 
-// What is not compared by its tolerance: steps have a number of steps, and what was published for bilateral
-// advancement may pass a contact, by whatever depth.
+// Methods that are not compared by their tolerance. Steps have a number of steps. The published bilateral
+// advancement may pass a contact by any depth.
 bool has_other_measure(const Row& row) {
   return row.method == "steps" || row.method == "spheres" || row.method == "bilateral_published";
 }
@@ -127,7 +127,7 @@ class Words {
     }
   }
 
-  // The cheapest whose worst answer is right to within so much.
+  // The cheapest contender whose worst error is within this limit.
   void within(bool turning) {
     const Tables tables = families_of(document_, turning);
     std::vector<std::string> parts;
@@ -173,7 +173,7 @@ class Words {
                         "{} nothing (its least tolerance, a median error of {}, takes no longer than any "
                         "coarser one)",
                         method, error_text(least.error));
-        // Of a polytope the last step is exact: from some tolerance on nothing is left to buy.
+        // For a polytope the last step is exact, so beyond some tolerance no accuracy is left to gain.
         std::size_t first = of_method.size();
         while (first > 0 && of_method[first - 1].error <= std::max(4 * least.error, kFinest)) --first;
         if (price && first < of_method.size() && tolerances[method][first] > 1e-10)
@@ -221,7 +221,7 @@ class Words {
                                        : fmt::format(" ({} of {} proofs are accepted and prove the verdict)",
                                                      proved->proved, proved->asked)));
       }
-      // Who proves all answers, and what that takes in all.
+      // The cheapest method that proves all its answers, and its total time.
       const Row* cheapest = nullptr;
       for (const Row& row : table.rows) {
         if (row.request != "proof" || row.proved < row.asked || !row.ratio) continue;

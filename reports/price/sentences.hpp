@@ -1,5 +1,5 @@
-// What the figures of a run say, in words. Every sentence is computed from them; what a run did not measure,
-// it says nothing of.
+// The results of a run in words. Every sentence is computed from its figures. There is no sentence about
+// anything that the run did not measure.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What the priced cases are drawn from: shapes of size 1 or so, poses and paths, every number a float.
+// The shapes, poses and paths of the priced cases. Sizes are about 1, and every number is a float.
 #pragma once
 
 #include "corpus/case.hpp"
@@ -17,7 +17,7 @@ using corpus::Random;
 enum class Round { sphere, capsule, ellipsoid, cylinder, cone };
 inline constexpr const char* kRoundNames[] = {"sphere", "capsule", "ellipsoid", "cylinder", "cone"};
 [[nodiscard]] Shape<double> round_shape(Random& random, Round kind);
-// Of points on an ellipsoid; with a graph to climb on, or without.
+// The hull of points on an ellipsoid, with or without an adjacency graph to climb on.
 [[nodiscard]] Shape<double> round_hull(Random& random, int vertices, bool climbs);
 [[nodiscard]] Shape<double> box(Random& random);
 // A sum, a hull of two or a rounded shape, curved, two or three deep.

@@ -1,5 +1,5 @@
-// What is priced: families in which accuracy has a price, each apart, and polytopes, in which it has none;
-// curves of growth; what each request adds; queries beside the cast.
+// The priced topics: families in which accuracy has a price, one by one, polytopes, in which it has none,
+// curves of growth, the cost of each request, and queries other than casts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -97,7 +97,7 @@ void add_smooth(std::vector<Topic>& out, const Effort& effort) {
                        }));
 }
 
-// Both turn by about `angle` radians in the step, about pivots near their centres.
+// Both rotate by about `angle` radians in the step, about pivots near their centres.
 Case turning_pair(Random& random, double least, double most) {
   const auto solid = [&] {
     switch (random.below(4)) {
@@ -292,7 +292,8 @@ Topic query(const char* series, double x, const char* x_name, std::string title,
 }
 
 void add_queries(std::vector<Topic>& out, const Effort& effort) {
-  // Deep: the centres nearer than the least half width; shallow: they overlap by a tenth or so.
+  // Deep means that the centres are nearer than the least half width. Shallow means that the shapes overlap
+  // by about a tenth.
   struct Depth {
     const char* series;
     double apart;

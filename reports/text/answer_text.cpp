@@ -13,8 +13,8 @@
 namespace graze::tool {
 namespace {
 
-// The shortest decimal that reads back to the same bits; null for what JSON has no number for. An integer
-// keeps a decimal point, for readers that would take -0 for an integer and lose its sign.
+// The shortest decimal that reads back to the same bits, or null for numbers that JSON cannot express. An
+// integer keeps a decimal point, for readers that would take -0 for an integer and lose its sign.
 std::string json_number(double x) {
   if (!std::isfinite(x)) return "null";
   std::string text = fmt::format("{}", x);
@@ -22,7 +22,7 @@ std::string json_number(double x) {
   return text;
 }
 
-// Of a time, which may be infinite of either sign.
+// A time, which may be infinite of either sign.
 std::string json_time(double t) { return std::isinf(t) ? corpus::json_number(t) : json_number(t); }
 
 std::string json_vector(const Vec3<double>& v) {
@@ -35,7 +35,7 @@ bool has_times(const engine::Answer& answer) {
   return answer.outcome != Outcome::miss && answer.outcome != Outcome::invalid_input;
 }
 
-// Why a case was not answered, or a start in contact not reported; empty where the outcome says all.
+// The reason why a case was not answered, or a start in contact not reported. Empty if the outcome says all.
 std::string reason_of(const engine::Answer& answer) {
   if (answer.outcome == Outcome::invalid_input) return invalid_text(answer);
   if (answer.passed_over && answer.plan.effects == Effects::rotating && answer.plan.reasons != 0)
@@ -46,7 +46,7 @@ std::string reason_of(const engine::Answer& answer) {
 
 std::string json_text(const std::string& text) { return text.empty() ? "null" : corpus::json_quote(text); }
 
-// Who answered, in JSON without braces.
+// The method that answered, in JSON without braces.
 std::string method_fields(const engine::Method& method) {
   return fmt::format(R"("method": "{}", "scalar": "{}", "tier": "{}")", method.name, method.scalar,
                      method.tier);
@@ -68,7 +68,7 @@ bool has_contact(const engine::Answer& answer) {
   return answer.outcome == Outcome::hit || is_open_contact(answer);
 }
 
-// What the answers of linear and rotating casts have in common, in JSON without braces.
+// The fields that answers of linear and rotating casts share, in JSON without braces.
 std::string cast_fields(const corpus::Case& problem, const engine::Answer& answer) {
   const bool contact = has_contact(answer);
   const std::string toi = has_times(answer)
@@ -194,7 +194,7 @@ std::vector<std::string_view> reasons_of(const Plan& plan) {
   return reasons;
 }
 
-// "linear: A's turn cannot be seen; ..."
+// Text of a plan, such as "linear: A's turn cannot be seen; ...".
 std::string plan_text(const Plan& plan) {
   const std::vector<std::string_view> reasons = reasons_of(plan);
   std::string text(to_text(plan.effects));
@@ -228,7 +228,7 @@ std::string rotating_json(const corpus::Case& problem, const engine::Method& met
                      work_fields(answer.counters), answer.counters.poses);
 }
 
-// Of an engine of others: what it answered of all that, and what kept it from answering.
+// The answer of a third-party engine in full, and its failure if there was one.
 std::string strangers_block(const corpus::Case& problem, const engine::Method& method,
                             const engine::Answer& answer) {
   std::string text = fmt::format("{}\n", problem.id);

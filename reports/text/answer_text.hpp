@@ -11,25 +11,25 @@ namespace graze::tool {
 [[nodiscard]] std::string answer_block(const corpus::Case& problem, const engine::Method& method,
                                        const engine::Answer& answer);
 
-// {"id", "outcome", "because", "toi": {"lower", "upper"}, "normal", "point_a", "point_b", "method", "scalar",
-// "tier", "iterations", "supports"}; null for what the answer does not hold: a miss has no toi, only a hit
-// has a normal and witnesses, and "upper" is null where nothing bounds the time from above. "because" is why
-// a case was refused, or that its start was passed over. The JSON says all that the block says.
+// {"id", "outcome", "because", "toi": {"lower", "upper"}, "normal", "point_a", "point_b", "method", "scalar", "tier",
+// "iterations", "supports"}. Fields that the answer does not hold are null. A miss has no toi, only a hit has a normal
+// and witnesses, and "upper" is null if no upper bound on the time is known. "because" is the reason for a refused
+// case, or tells that its start was passed over. The JSON holds everything that the block holds.
 //
-// Of a rotating method also "plan" and "reasons" of the plan_json below, "hidden_motion" and
-// "poses". Of a query, in place of "toi", "query", "stalled", "normal_out" and, where the query has them,
-// "distance", "depth", "t_in" and "t_out", each {"lower", "upper"}; of times "inf" and "-inf" are strings.
+// Rotating methods add "plan" and "reasons" of the plan_json below, "hidden_motion" and "poses". Queries have "query",
+// "stalled" and "normal_out" instead of "toi". If the query has them, they also have "distance", "depth", "t_in" and
+// "t_out", each {"lower", "upper"}. Infinite times are the strings "inf" and "-inf".
 //
-// Of an engine of others: "id", "query", "method", "scalar", "tier", "failure" (what kept it from answering, or null),
-// "outcome", "because" (what happened, or what the engine says), "toi", the intervals of a query, "normal", "point_a",
-// "point_b" (null where its answers do not hold them) and "ns".
+// Third-party engines have these fields: "id", "query", "method", "scalar", "tier", "failure" (the kind of failure, or
+// null), "outcome", "because" (the event, or the engine's message), and "toi". They also have the intervals of a query,
+// "normal", "point_a", "point_b" (null if its answers do not hold them) and "ns".
 [[nodiscard]] std::string answer_json(const corpus::Case& problem, const engine::Method& method,
                                       const engine::Answer& answer);
 
 // Why an input was refused, and where: "body b: shape.half_extents[1] is negative".
 [[nodiscard]] std::string invalid_text(const engine::Answer& answer);
 
-// What must be simulated, and why. {"id", "plan": "linear", "reasons": ["neither body turns"]}
+// The simulated motion and the reasons. {"id", "plan": "linear", "reasons": ["neither body turns"]}
 [[nodiscard]] std::string plan_block(const corpus::Case& problem, const Plan& plan);
 [[nodiscard]] std::string plan_json(const corpus::Case& problem, const Plan& plan);
 

@@ -1,4 +1,5 @@
-// The files of a command line: what was wrong in one goes to stderr, a line each, and the others are read.
+// Reads the files of a command line. Errors in a file go to stderr, a line each, and the other files are
+// still read.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@
 
 namespace graze::tool {
 
-// `graze: what` on stderr. Where nothing can be written there, nothing is said.
+// Writes `graze: what` to stderr. If stderr cannot be written, nothing happens.
 void complain(const std::string& what);
 
 struct CaseFile {
@@ -33,9 +34,9 @@ struct CaseFiles {
 // The whole of a file, or of standard input for "-". Throws std::runtime_error that names the file.
 [[nodiscard]] std::string read_text(const std::string& name);
 
-// Whether a name on a command line stands for this method: "mpr" for all of that name, whatever their
-// question and scalar, "mpr/float" for those of one scalar, "overlap mpr" and "overlap mpr/float" for those
-// of one query, "all" for every one.
+// True if a name on a command line selects this method. "mpr" selects all of that name, whatever their
+// question and scalar, and "mpr/float" those of one scalar. "overlap mpr" and "overlap mpr/float" select
+// those of one query. "all" selects every method.
 [[nodiscard]] bool selects(std::string_view name, const engine::Method& method);
 // The methods that `names` select, in the order of the list. Throws std::runtime_error for a name that
 // selects nothing.

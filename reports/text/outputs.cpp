@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr const char* kStandardInput = "/dev/stdin";
 constexpr const char* kStandardOutput = "/dev/stdout";
 
-// What has been said to be read, and what is being written. One run is one process.
+// The files that the run reads, and those that it is writing. One run is one process.
 struct Ledger {
   std::vector<std::string> read;
   std::vector<std::weak_ptr<const std::string>> written;
@@ -35,7 +35,7 @@ Ledger& ledger() {
 
 bool holds_cases(const fs::path& file) { return file.extension() == ".json" || file.extension() == ".jsonl"; }
 
-// Where a name leads, though nothing need be there yet.
+// The file that a name leads to, even if it does not exist yet.
 fs::path place_of(const fs::path& name) {
   std::error_code error;
   const fs::path place = fs::weakly_canonical(name, error);
@@ -198,7 +198,7 @@ bool is_reader_gone() {
 int end_as_by_sigpipe() {
   std::signal(SIGPIPE, SIG_DFL);
   std::raise(SIGPIPE);
-  return 128 + SIGPIPE;  // where the signal is blocked
+  return 128 + SIGPIPE;  // reached if the signal is blocked
 }
 
 }  // namespace graze::tool

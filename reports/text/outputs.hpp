@@ -1,9 +1,7 @@
-// What a run writes. Two promises hold for every output of every command: nothing that the run reads is
-// written over, whatever spelling, symlink or hard link names it; and what cannot be written to its end is an
-// error.
+// The output files of a run. Two guarantees hold for every output of every command. No file that the run reads is
+// overwritten, whatever spelling, symlink or hard link names it. A file that cannot be written to its end is an error.
 //
-// A command says first what it will read. An output says what it is when it is opened, before anything is
-// emptied.
+// A command first declares the files it will read. An output is checked when it is opened, before anything is emptied.
 #pragma once
 
 #include <fstream>
@@ -14,27 +12,27 @@
 
 namespace graze::tool {
 
-// The files that this run reads, "-" for standard input; of a folder, its files of cases (.json, .jsonl).
-// From then on none of them is an output. Throws std::runtime_error if standard output goes to one.
+// Declares the files that this run reads, "-" for standard input. For a folder these are its files of cases (.json,
+// .jsonl). None of them may be an output from then on. Throws std::runtime_error if standard output goes to one.
 void will_read(const std::vector<std::string>& names);
 
-// Throws std::runtime_error, in one line, if to write this file were to write over what is read, or over an
-// output that is still open. Devices and pipes are neither.
+// Throws std::runtime_error with a one-line message if writing this file would overwrite an input or an output that is
+// still open. Devices and pipes are exempt.
 void require_own_file(const std::string& name);
-// Of each of the outputs of a run, and no two of them are one file. "-" and "" are none.
+// The same check for each output of a run. It also requires that no two outputs are one file. "-" and "" are ignored.
 void require_own_files(const std::vector<std::string>& names);
 
 // Makes the folder if it is not there yet. Throws std::runtime_error if it cannot become one.
 void require_folder(const std::string& name);
 
-// A file to write, "-" for standard output. What it held before is there until the first line is written, or until it
-// is closed: a run that is refused loses nothing. Throws std::runtime_error with one line to show.
+// A file to write, "-" for standard output. Its previous content remains until the first line is written, or until it
+// is closed, so a run that is refused loses nothing. Throws std::runtime_error with a one-line message.
 class OutputFile {
  public:
   explicit OutputFile(std::string name);
-  void write_line(const std::string& line);  // throws where it is seen at once that it cannot be written
+  void write_line(const std::string& line);  // throws if an error in writing shows at once
   void close();                              // throws if anything could not be written
-  // Of a run that something was wrong with: the same, but where no line was written the file keeps what it held.
+  // The same for a run that failed: if no line was written, the file keeps its previous content.
   void close_what_is_written();
 
  private:
@@ -51,8 +49,8 @@ struct ReaderGone : std::runtime_error {
   ReaderGone() : std::runtime_error("the reader of an output has closed it") {}
 };
 
-// Before anything is opened: a descriptor 0, 1 or 2 that the caller closed is not given to a file, and a pipe
-// that nobody reads is an error of the write, so that the run can clean up.
+// Call this before anything is opened. A file then never receives a descriptor 0, 1 or 2 that the caller closed. A pipe
+// that nobody reads becomes a write error, so that the run can clean up.
 void secure_standard_streams();
 
 // At the end of a run: throws if standard output could not be written to its end, ReaderGone or std::runtime_error.
@@ -61,8 +59,8 @@ void close_standard_output();
 // Has a write to standard output failed because nobody reads it any more?
 [[nodiscard]] bool is_reader_gone();
 
-// Ends the process as the signal SIGPIPE ends other tools: silently, and a shell shows 141. Returns that only where the
-// signal is blocked.
+// Ends the process as the signal SIGPIPE ends other tools: silently, and a shell shows 141. Returns that value only if
+// the signal is blocked.
 [[nodiscard]] int end_as_by_sigpipe();
 
 }  // namespace graze::tool

@@ -17,7 +17,7 @@ using Seconds = std::chrono::duration<double>;
 constexpr auto kPace = std::chrono::milliseconds(100);
 constexpr double kFirstLine = 10, kNextLine = 20;
 
-// Of the command, whatever it is that runs: seconds from its start at which the next line of a log is due.
+// The start of the command, and the time after it, in seconds, at which the next line of a log is due.
 const Clock::time_point g_start = Clock::now();
 std::atomic<double> g_due = kFirstLine;
 

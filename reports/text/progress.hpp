@@ -1,5 +1,5 @@
-// What a long command does, on stderr: on a terminal one line that is kept up to date, with what is left; in
-// a log a line every 20 s, the first once the command has run for 10.
+// Reports the progress of a long command on stderr. A terminal shows one line that is kept up to date, with
+// the time left. A log has a line every 20 s, the first once the command has run for 10 s.
 #pragma once
 
 #include <chrono>
@@ -11,16 +11,16 @@ namespace graze::tool {
 
 class Progress {
  public:
-  // Counts, or, where things of different cost are counted, the share that is done, with a bar.
+  // Shows counts, or the share that is done if the items differ in cost, with a bar.
   enum class Show { counts, percent };
 
-  // `before`: of the total, what was done before this run.
+  // `before`: the part of the total that was done before this run.
   Progress(std::string label, std::uint64_t total, std::uint64_t before = 0, Show show = Show::counts);
   ~Progress();  // wipes the line
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // From any thread: one more is done; or so many are, and what else there is to say.
+  // From any thread: one more is done, or so many are done, with a text to add.
   void step();
   void reach(std::uint64_t done, const std::string& more = {});
   // So many more are done.

@@ -8,7 +8,7 @@
 
 namespace graze::tool {
 
-// Of the values that are not NaN; NaN if there is none. The upper of the two middle values.
+// The median of the values that are not NaN, the upper of the two middle values. NaN if there are no values.
 [[nodiscard]] inline double median(std::vector<double> values) {
   std::erase_if(values, [](double x) { return std::isnan(x); });
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
@@ -17,7 +17,7 @@ namespace graze::tool {
   return *middle;
 }
 
-// The largest value that is not NaN; NaN if there is none.
+// The largest value that is not NaN. NaN if there are no values.
 [[nodiscard]] inline double worst(const std::vector<double>& values) {
   double most = std::numeric_limits<double>::quiet_NaN();
   for (const double x : values) most = std::fmax(most, x);

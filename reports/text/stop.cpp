@@ -13,11 +13,11 @@ namespace graze::tool {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;  // ns
-// What comes so soon after the first signal is the same request.
+// A signal within this time of the first belongs to the same request.
 constexpr std::int64_t kOneRequest = kSecond;
 
 std::atomic<int> g_signal = 0;
-std::atomic<std::int64_t> g_first = 0;  // when it came, in ns; 0: none did
+std::atomic<std::int64_t> g_first = 0;  // time of the first signal in ns, 0 before it
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free,
               "a handler of signals may only use such");
 bool g_on_terminal = false;  // stderr is one, where ^C and a line of progress may stand
@@ -30,7 +30,7 @@ std::int64_t now() {
 
 void say_on_stderr(std::string_view text) {
   const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
-  static_cast<void>(written);  // where nothing can be written, nothing is said
+  static_cast<void>(written);  // a failed write is ignored
 }
 
 void handle(int number, void (*handler)(int)) {
@@ -64,7 +64,7 @@ StopBySignal::StopBySignal() {
   for (const int number : {SIGINT, SIGTERM}) handle(number, &note_signal);
 }
 
-// After a request the handler stays: the rest of it may come while what there is is written.
+// After a request the handler stays, because its other signals may arrive while the results are written.
 StopBySignal::~StopBySignal() {
   if (g_signal != 0) return;
   for (const int number : {SIGINT, SIGTERM}) handle(number, SIG_DFL);

@@ -1,11 +1,11 @@
-// A long command that is asked to stop ends in order: it keeps and shows what it has.
+// Ends a long command in order when a stop is requested: it keeps and shows its results so far.
 #pragma once
 
 namespace graze::tool {
 
-// While it lives, SIGINT and SIGTERM ask for a stop, which a line on stderr says. One request may come as several
-// signals: timeout(1) sends its own to the program and to its group. What comes within a second of the first is it
-// again; what comes later ends the program at once.
+// While it lives, SIGINT and SIGTERM request a stop, and a line on stderr says so. One request may come as several
+// signals: timeout(1) sends its own to the program and to its group. A signal within a second of the first counts as
+// the same request. A later signal ends the program at once.
 class StopBySignal {
  public:
   StopBySignal();

@@ -27,9 +27,9 @@ class Table {
   std::vector<std::vector<std::string>> rows_;  // an empty row is a gap
 };
 
-// 3.2e-16; "0" for an exact 0, "inf", and "-" for what is absent (NaN).
+// A short number: 3.2e-16, "0" for an exact 0, "inf", and "-" for NaN, which means absent.
 [[nodiscard]] std::string short_number(double x);
-// Digits; "-" for 0.
+// The digits of a count, "-" for 0.
 [[nodiscard]] std::string count_text(std::size_t count);
 
 }  // namespace graze::tool

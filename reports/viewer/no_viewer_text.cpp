@@ -1,4 +1,4 @@
-// What stands for the viewer in a program that is built without Node.
+// Replaces the viewer in a program that is built without Node.
 #include "reports/viewer/viewer_text.hpp"
 
 namespace graze::show {

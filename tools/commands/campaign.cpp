@@ -30,7 +30,7 @@ namespace {
 
 // The size of the largest published benchmark of continuous collision detection (Wang et al. 2021).
 constexpr std::uint64_t kCasts = 60'000'000;
-// An engine of others has no proof, and the oracle measures every answer: some hundred in a second.
+// A third-party engine has no proof, so the oracle measures every answer, at some hundred per second.
 constexpr std::uint64_t kCastsOfOthers = 100'000;
 // An exact answer takes the oracle 4 ms, over the families, and a cast and its judgement 50 microseconds: of
 // one in 2048 they are 4 % of the time.
@@ -38,11 +38,11 @@ constexpr std::uint64_t kCastOracleEvery = 2048;
 // A block takes a tenth of a second, so that a run stops at once and loses little. Other answers than linear
 // casts take a hundred times as long.
 constexpr std::uint64_t kBlock = 4096, kSlowBlock = 256;
-// Of a case of turning bodies the oracle takes 10 ms and more, the casts and the checks of their proofs 1 ms.
+// For a case of rotating bodies, the oracle takes 10 ms or more. The casts and the checks of their proofs take 1 ms.
 constexpr std::uint64_t kRotatingOracleEvery = 64;
 
-// --work: the families that ask what a simulation asks on its first day; beside N casts of each, so many times N of the
-// workloads, and of queries one in so many.
+// --work: the families with the questions of an ordinary simulation. For N casts of each family, there are
+// kWorkloadCasts N casts of the workloads, and N / kWorkQueries of each query.
 constexpr std::string_view kWorkFamilies[] = {
     "at_rest",       "coaxial",     "equal_distances", "parallel_caps",       "rods_and_round",
     "smooth_depths", "level_tiles", "wheels",          "flat_plates_turning", "above_a_floor"};
@@ -67,7 +67,7 @@ struct CampaignArguments {
   [[nodiscard]] bool is_slow() const { return queries || casts_rotating() || workloads || work; }
 };
 
-// Those named, in the order of the table, so that the order of the options says nothing.
+// The named ones, in the order of the table, so that the order of the options does not matter.
 std::vector<const corpus::Family*> chosen_families(const std::vector<std::string>& names,
                                                    std::span<const corpus::Family> all) {
   std::vector<const corpus::Family*> chosen;
@@ -120,7 +120,7 @@ void require_writable(const std::string& name) {
   if (!existed) std::filesystem::remove(name);
 }
 
-// The state to begin with: what the file holds, or nothing done.
+// The state to begin with: the content of the file, or an empty state.
 CampaignState initial_state(const CampaignArguments& arguments, const CampaignState& fresh) {
   if (arguments.state.empty() || !std::filesystem::exists(arguments.state)) return fresh;
   CampaignState kept = read_state(arguments.state);
@@ -137,7 +137,7 @@ CampaignState initial_state(const CampaignArguments& arguments, const CampaignSt
   return kept;
 }
 
-// What depends on the machine and the hour, beside the summary.
+// Prints the results that depend on the machine and the hour, beside the summary.
 void print_cost(std::uint64_t casts, double seconds, unsigned threads) {
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
@@ -178,14 +178,14 @@ CampaignPlan plan_of_work(const CampaignArguments& arguments) {
       each, sampling(kCastOracleEvery));
   plan.add_per_family(linear, chosen_contenders(engine::Kind::query, {}), at_least_one(each / kWorkQueries),
                       sampling(1));
-  // Of what turns each family has so many casts, of all methods together.
+  // Each rotating family has this number of casts, of all methods together.
   const Contenders turning = chosen_contenders(engine::Kind::rotating, {});
   plan.add_per_family(rotating, turning, at_least_one(each / turning.size()), sampling(kRotatingOracleEvery));
   plan.add(workloads, turning, kWorkloadCasts * each, sampling(kRotatingOracleEvery));
   return plan;
 }
 
-// What is asked, part by part.
+// The questions of a campaign, part by part.
 CampaignPlan plan_of(const CampaignArguments& arguments, const Engines& engines) {
   const auto only_one = [](const char* one, const char* other, bool both) {
     if (both) throw std::runtime_error(fmt::format("{}: says with {} how many casts; give one", one, other));
@@ -243,7 +243,7 @@ int run_campaign_command(const CampaignArguments& arguments) {
   for (const std::string* name : {&arguments.state, &arguments.outputs.json, &arguments.outputs.save,
                                   &arguments.outputs.save_undecided})
     require_writable(*name);
-  // No two of them are one file; a state is written beside its place first.
+  // No two outputs are one file. A state is first written to a file beside its place.
   const auto beside = [](const std::string& name) { return name.empty() ? "" : name + ".new"; };
   require_own_files({arguments.state, beside(arguments.state), arguments.outputs.json, arguments.outputs.save,
                      arguments.outputs.save_undecided});

@@ -23,7 +23,7 @@ struct CastSettings {
   bool json = false, plan = false;
   EngineArguments engines;
 
-  // Of ours none, where engines of others are asked and no method is named.
+  // True if our methods are asked. They are not if third-party engines are given and no method is named.
   [[nodiscard]] bool asks_ours() const { return engines.commands.empty() || !method.empty(); }
 };
 
@@ -92,7 +92,8 @@ class CastRun {
       throw std::runtime_error(fmt::format("--method: {} is no method; it is one of {}", settings_.method,
                                            fmt::join(names, ", ")));
     }
-    // No rotation that is seen has an exact answer; what the plan makes of the others may.
+    // Tier exact answers no cast with a visible rotation. It may answer the cast that the plan makes of other
+    // rotations.
     if (given.tier == "exact") {
       rotating_.assign(1, engine::find_method(engine::Kind::rotating, "plan/" + given.scalar));
       ask_.tier = Tier::exact;
@@ -135,7 +136,7 @@ class CastRun {
   }
 
  private:
-  // Standard output is one thing's: beside proofs that go there the answers go to stderr.
+  // Standard output has one document. If proofs go there, the answers go to stderr.
   [[nodiscard]] std::FILE* screen() const { return settings_.proofs == "-" ? stderr : stdout; }
   void refuse(const std::string& file, const corpus::Case& problem, const std::string& why) {
     complain(fmt::format("{}: case {}: {}", file, problem.id, why));
@@ -151,12 +152,12 @@ class CastRun {
     }
   }
 
-  // Of all methods, those of tier exact are meant where there is one.
+  // With `--method all`, methods of tier exact are left out for cases that the tier does not take.
   [[nodiscard]] bool is_left_out(Invalid invalid) const {
     return settings_.method == "all" && invalid == Invalid::not_exact;
   }
 
-  // A body that turns needs a rotating method; a linear cast may have either, the linear one first.
+  // A rotating case needs a rotating method. A linear cast may use either kind, and the linear methods come first.
   void cast(const std::string& file, const corpus::Case& problem) {
     const bool turns = engine::turns(problem);
     if (!turns && !linear_.empty()) {
@@ -200,8 +201,8 @@ class CastRun {
     proofs_->write_line(corpus::write_proof(record));
   }
 
-  // Each engine of others, what it can be asked of this case. A case that none of its methods takes is said to be
-  // none for it; of a case that turns only a rotating cast is meant.
+  // Asks each third-party engine the questions of this case that it supports. If no method of an engine takes the case,
+  // the output says so. For a rotating case only a rotating cast counts.
   void ask_engines(const std::string& file, const corpus::Case& problem) {
     for (const auto& engine : engines_->all()) {
       std::string why = fmt::format("answers no {}", corpus::name_of(problem.query));
@@ -215,7 +216,7 @@ class CastRun {
           why = refused;
           continue;
         }
-        // A rotating cast answers what does not turn, too, where there is no other.
+        // A rotating cast also answers linear cases if no linear cast is offered.
         if (is_asked && method.kind == engine::Kind::rotating) continue;
         const engine::Answer answer = method.ask(problem, ask_);
         if (answer.declined) {
@@ -236,7 +237,7 @@ class CastRun {
     }
   }
 
-  // What would be simulated, by the tier asked for.
+  // Prints the plan of the simulation, for the requested tier.
   void plan(const std::string& file, const corpus::Case& problem) {
     if (const std::string why = engine::unsupported(engine::Kind::rotating, problem); !why.empty()) {
       return refuse(file, problem, fmt::format("has {}, which has no plan; give a cast", why));

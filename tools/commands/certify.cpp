@@ -27,16 +27,16 @@ namespace {
 
 using engine::Kind;
 
-// To make a finding of an engine of others small.
+// The number of calls that may reduce a finding of a third-party engine.
 constexpr int kSmallerAsks = 2000;
 constexpr double kSmallerSeconds = 20;
 
-// Whether an engine took no case of those that were judged: its verdict would be that of nothing.
+// True if an engine took none of the judged cases. Its verdict would rest on nothing.
 bool complain_of_unasked(const Engines& engines, const Certification& certification) {
   bool is_any = false;
   for (const auto& engine : engines.all()) {
     std::size_t asked = 0;
-    // A row of a promise is one method's.
+    // Each guarantee belongs to one method.
     for (const engine::Method& method : engine->methods()) {
       for (const std::vector<Tally>* tallies : {&certification.tallies, &certification.beyond_limits}) {
         for (const Tally& tally : *tallies) {
@@ -52,7 +52,7 @@ bool complain_of_unasked(const Engines& engines, const Certification& certificat
   return is_any;
 }
 
-// Whether no answer at all was judged, and no stop was the reason.
+// True if no answer at all was judged and the run was not stopped.
 bool complain_of_no_answer(const Certification& certification) {
   if (certification.answers > 0 || !certification.unfinished.empty()) return false;
   complain(fmt::format("no answer was judged: of {} no method takes any{}",
@@ -115,7 +115,7 @@ int run_certify_command(const CertifyArguments& arguments) {
       complain_of_unasked(selection.engines(), certification) || complain_of_no_answer(certification);
   const std::vector<std::string> orphans = selection.engines().finish();
   certification.breaches.insert(certification.breaches.end(), orphans.begin(), orphans.end());
-  // First, so that a reader of them who is gone ends the run before a word is said.
+  // Written first, so that a broken pipe ends the run before any text is printed.
   files.write(certification, settings, took.count(), html);
   print_certification(arguments, selection, certification, settings, intake, took.count());
   if (!arguments.findings.empty())
@@ -129,7 +129,7 @@ bool is_given(const CLI::App& command, const std::string& option) {
   return command.get_option(option)->count() > 0;
 }
 
-// What moved to a command of its own answers with that command, for one version.
+// For one version, an option that became a command of its own prints that command.
 void refuse_old_spellings(const CLI::App& command) {
   for (const auto& [option, now] :
        {std::pair{"--laws", "laws"}, std::pair{"--law", "laws --law"}, std::pair{"--stability", "stability"},

@@ -1,4 +1,4 @@
-// What the command line of `graze certify` says.
+// The command line of `graze certify`.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct CertifyArguments : JudgedArguments {
   std::string json, junit, findings, report;
   std::size_t report_cases = ReportDefaults::kCases;
 
-  // Standard output is one thing's: beside a document that goes there the text goes to stderr.
+  // Standard output has one document. If a document goes there, the text goes to stderr.
   [[nodiscard]] std::FILE* screen() const {
     return save == "-" || json == "-" || junit == "-" ? stderr : stdout;
   }

@@ -1,4 +1,4 @@
-// What `graze certify` prints and writes of what was judged.
+// The output of `graze certify`, on the screen and in files.
 #include "tools/commands/certify_pages.hpp"
 
 #include <fmt/format.h>
@@ -19,8 +19,8 @@
 namespace graze::tool {
 namespace {
 
-// What is known to be wrong and not mended yet: judged and shown in every run, and held against no row. A
-// case leaves this file for corpus/cases when its mechanism is mended.
+// Prints the known failures that are not fixed yet. They are judged and shown in every run, and do not affect
+// the verdict. A case moves from this file to corpus/cases when its mechanism is fixed.
 void print_known_failures(std::FILE* screen, const Settings& settings, bool in_full) {
   const std::filesystem::path file = known_failures();
   if (!std::filesystem::exists(file)) return;
@@ -36,7 +36,7 @@ void print_known_failures(std::FILE* screen, const Settings& settings, bool in_f
   for (const std::string& line : failing.breaches) fmt::print(screen, "known: {}\n", line);
 }
 
-// What was given beside casts, and what of all that nothing judges.
+// Prints the given questions other than casts, and those that are not judged.
 void print_intake(std::FILE* screen, const Intake& intake) {
   if (intake.questions > 0) {
     fmt::print(screen, "{} beside the cast {} judged as {} asked.\n", counted(intake.questions, "question"),
@@ -60,7 +60,7 @@ void print_screen(std::FILE* screen, const Certification& certification, const S
              "grants; most supports:\nsupport evaluations of the costliest answer. --full: all.\n");
 }
 
-// What asks for the same judgement again; what is written where is left out.
+// The command line that repeats the judgement, without the output files.
 std::string certify_line(const CertifyArguments& arguments) {
   std::string text = "graze certify";
   const auto add = [&](const char* option, const std::string& value) {
@@ -152,7 +152,7 @@ void print_certification(const CertifyArguments& arguments, const Selection& sel
   if (!certification.unfinished.empty()) {
     fmt::print(screen, "Not finished: {}\n", fmt::join(certification.unfinished, ", "));
   }
-  // What is known of our own methods.
+  // The known failures of our own methods.
   if (arguments.takes_curated() && !settings.stop() && arguments.engines.commands.empty())
     print_known_failures(screen, settings, arguments.full || arguments.thorough);
   print_intake(screen, intake);

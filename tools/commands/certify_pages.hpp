@@ -1,4 +1,4 @@
-// What `graze certify` prints and writes of what was judged.
+// The output of `graze certify`, on the screen and in files.
 #pragma once
 
 #include <cstdio>
@@ -16,13 +16,13 @@
 
 namespace graze::tool {
 
-// The files that the command line names. All are opened before anything is judged: what cannot be written is said
+// The files that the command line names. All are opened before anything is judged, so an error in writing is reported
 // at once.
 class CertifyFiles {
  public:
   explicit CertifyFiles(const CertifyArguments& arguments);
   [[nodiscard]] bool has_page() const { return page_ != nullptr; }
-  // `html`: the report, where there is to be one.
+  // `html`: the report, if one is requested.
   void write(const Certification& certification, const Settings& settings, double seconds,
              const std::string& html);
 
@@ -43,7 +43,7 @@ void print_certification(const CertifyArguments& arguments, const Selection& sel
                          const Certification& certification, const Settings& settings, const Intake& intake,
                          double seconds);
 
-// What is known to be wrong and not mended yet.
+// The file of known failures that are not fixed yet.
 [[nodiscard]] std::filesystem::path known_failures();
 
 }  // namespace graze::tool

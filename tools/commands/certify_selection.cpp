@@ -1,4 +1,4 @@
-// What `graze certify` judges.
+// Selects the methods and cases of `graze certify`.
 #include "tools/commands/certify_selection.hpp"
 
 #include <fmt/format.h>
@@ -74,7 +74,8 @@ void Selection::read_table(const std::string& name) {
 
 namespace {
 
-// "; the first other is ..., and why it is not asked": of so many seeds from the first on, where there is one.
+// "; the first other is ..., and why it is not asked". Searches this number of seeds from the first on, and is empty if
+// there is no such case.
 std::string first_refused(const corpus::Family& family, std::size_t count, std::uint64_t seed,
                           const Selection& selection) {
   for (std::size_t i = 0; i < count; ++i) {

@@ -1,4 +1,4 @@
-// What `graze certify` judges: the methods that the command line selects, and the cases that they are asked.
+// The input of `graze certify`: the methods that the command line selects, and the cases that they are asked.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace graze::tool {
 
-// The methods that the command line selects, each with the row that it is held to.
+// The methods that the command line selects, each with its guarantee.
 class Selection {
  public:
   explicit Selection(const JudgedArguments& arguments);
@@ -20,7 +20,7 @@ class Selection {
   [[nodiscard]] std::vector<const engine::Method*> all() const;
   [[nodiscard]] bool has_ours() const;
   [[nodiscard]] bool has(engine::Kind kind) const;
-  // Is a cast one that some engine of others is asked, or asked queries about?
+  // True if some third-party engine is asked the cast or queries about its bodies.
   [[nodiscard]] bool takes(const corpus::Case& problem) const;
   // Why the first of the methods that it is a question for is not asked it.
   [[nodiscard]] std::string why_not(const corpus::Case& problem) const;

@@ -1,5 +1,5 @@
-// The subcommands of graze, one file each. Every one adds itself to the command line and, when it has run,
-// leaves its exit code: 0, 1 where a judgement went against what was judged, 2 for bad input.
+// The subcommands of graze, one file each. Each adds itself to the command line and leaves its exit code when
+// it has run: 0, 1 for a failed judgement, 2 for bad input.
 #pragma once
 
 #include <CLI/CLI.hpp>

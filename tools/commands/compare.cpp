@@ -1,4 +1,4 @@
-// graze compare: two runs of graze price, what got slower, what less accurate?
+// graze compare: compares two runs of graze price for slower times and less accurate answers.
 #include <fmt/format.h>
 
 #include <memory>

@@ -30,7 +30,7 @@ class Ledger {
     ids_.insert(problem.id);
     questions_.emplace(corpus::question_of(problem), problem.id);
   }
-  // What keeps a case out, one line each.
+  // The reasons against adding a case, one line each.
   [[nodiscard]] std::vector<std::string> conflicts(const Case& problem) const {
     std::vector<std::string> lines;
     if (ids_.contains(problem.id)) {
@@ -63,7 +63,7 @@ Ledger read_ledger() {
   throw std::runtime_error(known + ": mend it before adding to the corpus");
 }
 
-// What the command line says about a case, put into it.
+// Applies the command line's values to a case.
 void dress(Case& problem, const Addition& addition) {
   if (!addition.id.empty()) problem.id = addition.id;
   if (!addition.comment.empty()) problem.comment = addition.comment;
@@ -78,7 +78,7 @@ void dress(Case& problem, const Addition& addition) {
   problem.family = family;
 }
 
-// What is wrong with a dressed case, one line each.
+// The errors of a completed case, one line each.
 std::vector<std::string> faults_of(const Case& problem, corpus::Shelf shelf, const corpus::FlagNotes& flags) {
   const corpus::ReadResult again = corpus::read_text(corpus::write_case(problem), problem.id, false);
   std::vector<std::string> lines;

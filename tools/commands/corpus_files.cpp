@@ -26,7 +26,7 @@ std::optional<std::vector<corpus::Case>> read_sound(const std::string& name, cor
 }
 
 void replace_file(const std::string& given, const std::vector<corpus::Case>& cases) {
-  // A link stays one: what it leads to is replaced.
+  // A link stays a link: the file that it leads to is replaced.
   std::error_code ignored;
   const std::filesystem::path place = std::filesystem::canonical(given, ignored);
   const std::string name = ignored ? given : place.string();

@@ -15,8 +15,8 @@ namespace graze::tool {
 [[nodiscard]] std::optional<std::vector<corpus::Case>> read_sound(const std::string& name, corpus::Ids& ids);
 [[nodiscard]] std::optional<std::vector<corpus::Case>> read_sound(const std::string& name);
 
-// Writes the canonical form beside the file first, then in its place: an interrupted run loses nothing.
-// Throws std::runtime_error with one line to show.
+// Writes the canonical form to a new file first, and then replaces the old one, so an interrupted run loses
+// nothing. Throws std::runtime_error with a one-line message.
 void replace_file(const std::string& name, const std::vector<corpus::Case>& cases);
 
 // The oracle's answer as a case holds it: a miss has no time. Throws what derive_expectation throws.
@@ -26,7 +26,7 @@ void replace_file(const std::string& name, const std::vector<corpus::Case>& case
 // about.
 void fill_in(const std::string& file, corpus::Case& problem);
 
-// Cases that fail by a mechanism that is not mended yet; the built-in corpus may have none.
+// Cases that fail by a mechanism that is not fixed yet. The built-in corpus may have none.
 [[nodiscard]] std::string known_failures_file();
 
 }  // namespace graze::tool

@@ -23,7 +23,7 @@ namespace {
 
 using corpus::Case;
 
-// What differs between the answer of a case and the oracle's, or "".
+// The difference between the answer of a case and the oracle's, or "".
 std::string difference(const Case& problem) {
   Case derived = problem;
   try {

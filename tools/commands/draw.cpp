@@ -60,7 +60,7 @@ void write_picture(const std::string& name, const std::string& svg) {
   out.close();
 }
 
-// A file name of an id: what is not a letter, a digit, a point or one of _ - becomes -.
+// A file name for an id. All characters except letters, digits, points and _ - become -.
 std::string file_name(const std::string& id) {
   std::string name = id;
   for (char& c : name) {
@@ -71,7 +71,7 @@ std::string file_name(const std::string& id) {
   return name + ".svg";
 }
 
-// Why our default method refuses the case; empty if it answers.
+// The reason why our default method refuses the case. Empty if it answers.
 std::string why_refused(const corpus::Case& problem) {
   if (problem.query == corpus::Query::cast) {
     const engine::Answer answer =

@@ -22,7 +22,7 @@ constexpr double kLeastTime = 0.001, kMostTime = 86400;
 constexpr std::array<std::string_view, 7> kAnswers = {"verdict",  "time",  "normal", "witnesses",
                                                       "distance", "depth", "proof"};
 
-// A name that is none of these would be refused of every engine.
+// Accepts only these names. Any other name would be refused for every engine.
 CLI::Validator one_of(std::span<const std::string_view> names, const char* what) {
   return {[=](const std::string& text) {
             if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
@@ -31,7 +31,7 @@ CLI::Validator one_of(std::span<const std::string_view> names, const char* what)
           ""};
 }
 
-// What an engine does not declare of what is needed; empty if there is nothing.
+// The needed properties that an engine does not declare. Empty if it declares all.
 std::string lacking(const external::Declaration& engine, const EngineArguments& arguments) {
   for (const std::string& shape : arguments.needed_shapes) {
     if (!engine.takes(shape)) return fmt::format("it does not take the shape {}", shape);

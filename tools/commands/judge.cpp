@@ -37,14 +37,14 @@ struct JudgeArguments {
   unsigned threads = 0;  // 0: as many as the machine has
 };
 
-// Complaints about what is given, each with its place; the first few of a kind are lines of their own.
+// Complaints about the input, each with its place. The first few of a kind are lines of their own.
 class Complaints {
  public:
   static constexpr std::size_t kMostOfAKind = 20;
   void say(const std::string& kind, const std::string& what) {
     if (++counts_[kind] <= kMostOfAKind) complain(what);
   }
-  // Says how many more there are. Whether there were any.
+  // Prints how many more there are. Returns true if there were any.
   bool finish() {
     for (const auto& [kind, count] : counts_) {
       if (count > kMostOfAKind) complain(fmt::format("{} more {}", count - kMostOfAKind, kind));
@@ -188,7 +188,7 @@ int run_judge_command(const JudgeArguments& arguments) {
   // Standard output is one thing's.
   std::FILE* const screen = arguments.json == "-" ? stderr : stdout;
   std::size_t faulty = 0;
-  std::vector<std::string> told;  // of --full: an answer at fault each
+  std::vector<std::string> told;  // --full: a line for each answer at fault
   settings.judged = [&](const Suite& suite, std::size_t i, const engine::Method&,
                         const law::Judgement& judgement) {
     if (judgement.skipped || !judgement.faulty()) return;

@@ -17,7 +17,7 @@ struct JudgedArguments {
   std::vector<std::string> files, families, methods;
   EngineArguments engines;
   std::optional<std::size_t> count,
-      rotating;  // of a family, or of each of its levels; the command has defaults
+      rotating;  // cases of a family or of each level, the command has defaults
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: as many as the machine has
   std::string corpus, guarantees, save;

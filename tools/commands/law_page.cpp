@@ -94,7 +94,7 @@ std::string cell(const std::string& text) {
   return escaped;
 }
 
-// Who notices what: the names of defects by the names of laws.
+// The names of the defects that each law detects, by the name of the law.
 std::map<std::string, std::vector<std::string>> noticed(std::span<const Law> laws,
                                                         std::span<const PlantedDefect> defects) {
   std::map<std::string, std::vector<std::string>> by_law;

@@ -1,4 +1,4 @@
-// graze laws: tries what must hold of every answer, or lists it.
+// graze laws: checks the laws that every answer must satisfy, or lists them.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -37,7 +37,7 @@ int run_laws_command(const LawsSettings& settings) {
   return 0;
 }
 
-// Throws std::runtime_error with one line to show for an option that a list or a page would say nothing of.
+// Throws std::runtime_error with a one-line message for an option that does not apply to a list or a page.
 void require_meaning(const CLI::App& command) {
   require_engine(command);
   for (const std::string alone : {"--list", "--page"}) {

@@ -18,7 +18,7 @@ struct MergeArguments {
 
 int run_merge_command(const MergeArguments& arguments) {
   will_read(arguments.parts);
-  // A state is written beside its place first.
+  // A state is first written to a file beside its place.
   const std::string& json = arguments.outputs.json;
   require_own_files(
       {json, json.empty() ? "" : json + ".new", arguments.outputs.save, arguments.outputs.save_undecided});

@@ -1,4 +1,4 @@
-// What every option of every command has in common.
+// Properties that every option of every command has.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -23,7 +23,7 @@ inline constexpr std::uint64_t kMostThreads = 1024;
 // given. For the app and every command in it.
 void refuse_empty_values(CLI::App& app);
 
-// As a word of a shell's command line: in quotes, where it needs them.
+// As a word of a shell's command line, in quotes if needed.
 [[nodiscard]] std::string shell_word(const std::string& word);
 
 }  // namespace graze::tool

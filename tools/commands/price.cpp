@@ -1,4 +1,4 @@
-// graze price: what does accuracy cost in time?
+// graze price: measures how much time accuracy costs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -54,7 +54,7 @@ int rounds_of(const PriceArguments& arguments) {
   return static_cast<int>(arguments.rounds > 0 ? arguments.rounds : usual);
 }
 
-// What a stopped run left in the file that this one writes.
+// The results that a stopped run left in the file that this run writes.
 price::Document begun(const PriceArguments& arguments) {
   if (!arguments.goes_on) return {};
   if (arguments.json.empty() || arguments.json == "-")
@@ -85,7 +85,7 @@ void write_whole(const std::string& name, const std::string& text) {
   file.close();
 }
 
-// index.html, and what was measured, price.json.
+// index.html, and the measurements, price.json.
 void write_report(const PriceArguments& arguments, const price::Document& document) {
   if (arguments.report.empty()) return;
   const std::filesystem::path folder = arguments.report;
@@ -155,8 +155,8 @@ int run_price_command(const PriceArguments& arguments) {
   }
   document.version = GRAZE_VERSION;
   document.machine = price::this_machine();
-  // Both files are written before anything is measured, so that one that cannot be is said at once; what is
-  // measured is kept table by table, so that a run that is stopped, or ends otherwise, can go on.
+  // Both files are written before anything is measured, so an error in writing is reported at once. Results
+  // are saved table by table, so that a run that is stopped, or ends otherwise, can be continued.
   settings.keep = [&](const price::Document& so_far) {
     if (arguments.json != "-") write_json(arguments, so_far);
   };

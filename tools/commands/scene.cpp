@@ -1,4 +1,4 @@
-// graze scene: what first touches what in a scene, and what had to be simulated to say so.
+// graze scene: finds the first contacts in a scene, and shows what had to be simulated to find them.
 #include <fmt/format.h>
 
 #include <ctime>
@@ -31,7 +31,7 @@ struct SceneSettings {
   int steps = 0;
 };
 
-// Of --gains: so many rounds, or until so much processor time is spent.
+// --gains runs at most this number of rounds, or until this processor time is spent.
 constexpr int kMostGainRounds = 15;
 constexpr double kGainsSeconds = 8;
 
@@ -112,7 +112,7 @@ class SceneRun {
   }
 
  private:
-  // Standard output is one thing's: beside proofs that go there the events go to stderr.
+  // Standard output has one document. If proofs go there, the events go to stderr.
   [[nodiscard]] std::FILE* screen() const { return settings_.proofs == "-" ? stderr : stdout; }
   void refuse(const std::string& why) {
     complain(why);
@@ -177,7 +177,7 @@ class SceneRun {
     return text + " --report report";
   }
 
-  // A page of no scene is none: what could not be read has been said.
+  // There is no page without a scene. The error in reading it was already reported.
   void write_page() {
     if (plays_.empty()) return;
     const std::string title = plays_.size() == 1 ? "graze: " + plays_[0].value("id", "")
@@ -251,8 +251,9 @@ class SceneRun {
     double seconds = kInfinity<double>;
   };
 
-  // Each economy off alone, and all of them: what it spares. In one thread, processor time; the variants take
-  // turns, so that what else the machine does is spread over them, and each one's best run counts.
+  // Prints the savings of each economy, with each turned off alone and with all turned off. One thread,
+  // processor time. The variants take turns, so that other load on the machine is spread over them, and each
+  // variant's best run counts.
   void show_gains(scene::Document document) {
     std::vector<Variant> variants = {{"-", economies_}};
     for (int k = 0; k < scene::kEconomies; ++k) {

@@ -1,4 +1,4 @@
-// graze scene --steps: what a memory of the step before spares.
+// graze scene --steps: shows the savings from a memory of the step before.
 #pragma once
 
 #include "reports/text/table.hpp"
@@ -6,8 +6,9 @@
 
 namespace graze::tool {
 
-// The scene's step cut into so many, one after the other, with a memory and without. One thread, processor time; the two
-// take turns, and each one's best run counts. The table has a row for either; empty where a signal stopped it.
+// Simulates the scene's step in this number of substeps, one after the other, with and without a memory. One thread,
+// processor time. The two take turns, and each one's best run counts. The table has a row for each. It is empty if a
+// signal stopped the run.
 class SceneSteps {
  public:
   SceneSteps(const scene::Document& document, int steps);

@@ -29,7 +29,7 @@ struct ServeArguments {
   std::string method = "mpr", scalar = "double";
 };
 
-// What answers a question: the method of the name given, or the default of the question.
+// The method that answers a question: the one with the given name, or the default for the question.
 const Method* method_for(Question question, const ServeArguments& arguments) {
   const std::string name = arguments.method + "/" + arguments.scalar;
   switch (question) {
@@ -68,8 +68,8 @@ std::string answers_of(Question question) {
   return "";
 }
 
-// The row of a method, as a promise. A row of the proved tiers promises more than these words can say: a kappa of 1
-// of double is far above their widths for questions in which nothing turns.
+// The guarantee of a method, as a promise in the protocol. A guarantee of the proved tiers is stronger than the
+// protocol can express. For linear questions, a kappa of 1 in double is far above their widths.
 std::string promise_of(const Method& method) {
   const engine::Guarantee& row = *method.guarantee;
   const double kappa = std::max({row.kappa_polytope, row.kappa_rounded, row.kappa_contact.value_or(0)});

@@ -169,7 +169,7 @@ class ShowRun {
   const ShowArguments& arguments_;
   CaseFiles inputs_;
   std::vector<const corpus::Case*> cases_;
-  std::vector<const std::string*> files_;  // of each case
+  std::vector<const std::string*> files_;  // file of each case
   std::vector<const engine::Method*> claimed_;
   Engines engines_;
   external::RecordedLines answered_;

@@ -1,4 +1,4 @@
-// graze stability: measures the families one by one, prints what it finds, draws the curves.
+// graze stability: measures the families one by one, prints the results, draws the curves.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kLevelCases = 40, kRotatingLevelCases = 12;
 
 struct StabilityArguments : JudgedArguments {
-  std::string plot;  // the folder of the pictures; empty for none
+  std::string plot;  // the folder of the pictures, empty for none
 };
 
 bool is_measured(const corpus::Family& family, const StabilitySettings& settings) {
@@ -58,7 +58,8 @@ void print_tables(const std::vector<Curve>& curves) {
   fmt::print("Summary: each method at its worst over all families\n\n{}\n", summary_table(curves));
 }
 
-// The exit code: 1 if a method breaks its row, 2 if there is nothing to measure; of a stop by signal 128 and its number.
+// Returns the exit code: 1 if a method breaks its guarantee, 2 if there is nothing to measure, and 128 plus its number
+// after a signal.
 int measure(const StabilityArguments& run, const Selection& selection) {
   StabilitySettings settings{.methods = selection.all(),
                              .count = run.count.value_or(kLevelCases),

@@ -52,7 +52,7 @@ void check_methods(const std::vector<std::string>& names, const std::vector<Law>
   }
 }
 
-// The bodies of a question beside the cast are cast: the laws of the queries make their own questions.
+// Bodies of a query other than the cast are cast. The laws of the queries make their own questions.
 void take(std::vector<LawSuite>& suites, const std::string& name, const std::vector<corpus::Case>& cases) {
   LawSuite straight{.suite = {.family = name}}, turning{.suite = {.kind = Kind::rotating, .family = name}};
   for (corpus::Case problem : cases) {
@@ -66,11 +66,11 @@ void take(std::vector<LawSuite>& suites, const std::string& name, const std::vec
 }
 
 LawSuite suite_of(const corpus::Family& family, const LawArguments& arguments, const Engines& engines) {
-  // Where bodies turn, the easier half of the levels: the hardest take the oracle minutes.
+  // For rotating families, the easier half of the levels. The hardest levels take the oracle minutes.
   const std::size_t levels = family.rotating ? (family.levels.size() + 1) / 2 : family.levels.size();
   const std::size_t count = family.rotating ? arguments.rotating.value_or(kRotatingLawCases)
                                             : arguments.count.value_or(kLinearLawCases);
-  // Engines of others alone are asked what they take.
+  // If only third-party engines are asked, the cases are those that they take.
   const bool is_drawn = !arguments.our_methods().empty() || count == 0;
   const auto takes = [&](const corpus::Case& problem) {
     const std::vector<const engine::Method*> others = engines.methods();
@@ -91,7 +91,8 @@ LawSuite suite_of(const corpus::Family& family, const LawArguments& arguments, c
   return one;
 }
 
-// How the smallest case of a breach is looked at; `file` holds it, empty: nothing was saved.
+// The command that shows the smallest case of a breach. `file` holds the case, and is empty if nothing was
+// saved.
 std::string look_command(const LawBreach& breach, const std::string& file) {
   const law::Finding& finding = breach.finding;
   const bool is_ours = std::ranges::any_of(
@@ -250,7 +251,7 @@ int try_laws(const LawArguments& arguments) {
     return 2;
   }
 
-  // Laws of a kind that no case is for say nothing, unless one was asked for by name.
+  // A law without cases of its kind is not listed, unless it was requested by name.
   if (arguments.laws.empty()) {
     std::erase_if(settings.laws, [&](const Law& law) {
       return std::none_of(suites.begin(), suites.end(), [&](const LawSuite& one) {

@@ -10,15 +10,16 @@
 namespace graze::tool {
 
 struct LawArguments : JudgedArguments {
-  std::vector<std::string> laws;  // by name; none: all
+  std::vector<std::string> laws;  // by name, empty for all
   std::string report;
 };
 
-// Cases of a family: all laws together take tens of milliseconds for one that does not turn, and of one that
-// does the oracle takes a tenth of a second to some.
+// Cases of a family. For a linear case all laws together take tens of milliseconds. For a rotating case the oracle
+// takes between a tenth of a second and several seconds.
 inline constexpr std::size_t kLinearLawCases = 40, kRotatingLawCases = 4;
 
-// The exit code: 1 if a law is broken, 2 for bad input or nothing to judge; of a stop by signal 128 and its number.
+// Returns the exit code: 1 if a law is broken, 2 for bad input or nothing to judge, and 128 plus its number after a
+// signal.
 [[nodiscard]] int try_laws(const LawArguments& arguments);
 
 }  // namespace graze::tool

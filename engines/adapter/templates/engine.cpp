@@ -27,14 +27,15 @@ Form form_of(const Body& body) {
 // Lengths in the question's unit, times in its t.
 Answer cast(const Question& q) {
   const Form a = form_of(q.a), b = form_of(q.b);
-  // 1. Your engine, by a, b, q.a.displacement, q.b.displacement and q.t_max. What follows casts balls.
+  // 1. Your engine, by a, b, q.a.displacement, q.b.displacement and q.t_max. The code below casts balls.
   if (a.points.size() != 1 || b.points.size() != 1) return Answer::unsupported("this template casts balls");
   const double reach = a.radius + b.radius;
   const Vector gap = b.points[0] - a.points[0];
   const Vector motion = q.b.displacement - q.a.displacement;
   const double along = dot(gap, motion), speed = dot(motion, motion), apart = length(gap);
   if (apart <= reach) return Answer::overlapping();
-  // The squared distance of the centres is least at t = -along / speed; rest is what remains of the gap there.
+  // The squared distance of the centres is least at t = -along / speed. `rest` is the part of the gap that remains
+  // there.
   if (along >= 0) return Answer::miss();
   const Vector rest = gap - (along / speed) * motion;
   const double aside = length(rest);
