@@ -66,9 +66,9 @@ struct Answer {
   // Fields of the queries. Absent: not part of the query, or of this outcome.
   std::optional<Interval> separation = {}, depth = {};  // brackets of distance and penetration depth, lengths
   std::optional<Interval> t_in = {}, t_out = {};        // brackets of the ends of {t : the bodies touch at t}
-  Vec3<double> normal_out = Vec3<double>::Zero();  // for a line: at the exit, `normal` is at the entry
-  bool has_points = false;                         // witnesses were asked for and found
-  bool stalled = false;                            // the bracket is wider than was asked for
+  Vec3<double> normal_out = Vec3<double>::Zero();       // for a line: at the exit, `normal` is at the entry
+  bool has_points = false;                              // witnesses were asked for and found
+  bool stalled = false;                                 // the bracket is wider than was asked for
 
   // Fields of third-party engines.
   Failure failure = Failure::none;  // if set, only the following fields are valid

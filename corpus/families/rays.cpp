@@ -44,7 +44,8 @@ Vec3<double> feature(Random& random, const Shape<double>& shape) {
 
 void fill_rays(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
-  problem.a.shape = random.once_in(4) ? draw.hull(kShapeSize, random.integer(4, 12)) : draw.leaf(kShapeSize, 0);
+  problem.a.shape =
+      random.once_in(4) ? draw.hull(kShapeSize, random.integer(4, 12)) : draw.leaf(kShapeSize, 0);
   problem.a.orientation = draw.pose();
   problem.a.position = draw.vector(8);
   problem.b.shape = Point<double>{};

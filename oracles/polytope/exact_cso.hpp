@@ -29,10 +29,9 @@ struct HullEdge {
 
 struct ConvexHull {
   int dimension = 0;
-  std::vector<IntVec>
-      vertices;  // every extreme point, and maybe other given points in a solid's flat face
-  std::vector<HullEdge> edges;         // every edge, including diagonals between coplanar triangles
-  std::vector<HullFacet> facets;       // solids and polygons
+  std::vector<IntVec> vertices;   // every extreme point, and maybe other given points in a solid's flat face
+  std::vector<HullEdge> edges;    // every edge, including diagonals between coplanar triangles
+  std::vector<HullFacet> facets;  // solids and polygons
   std::vector<HalfSpace> half_spaces;  // their intersection is the hull, in every dimension
 };
 

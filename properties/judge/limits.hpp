@@ -24,9 +24,8 @@
 namespace graze::law {
 
 struct Limits {
-  double limit =
-      0;            // depth of a contact that may be missed, and distance of bodies reported as touching
-  double wide = 0;  // distance from contact that either end of a bracket may have
+  double limit = 0;      // depth of a contact that may be missed, and distance of bodies reported as touching
+  double wide = 0;       // distance from contact that either end of a bracket may have
   double early = 0;      // additional distance before contact that a time may have
   double contact = 0;    // of normals and witnesses
   double contact_u = 0;  // the same for unit vectors, over 1

@@ -21,8 +21,10 @@ class LawTally {
 
   [[nodiscard]] std::size_t applied() const { return applied_; }  // pairs of a case and a method
   [[nodiscard]] std::size_t not_applicable() const { return not_applicable_; }
-  [[nodiscard]] std::size_t left_open() const { return left_open_; }  // of those: an oracle called without
-                                                                      // result
+  [[nodiscard]] std::size_t left_open() const {
+    return left_open_;
+  }  // of those: an oracle called without
+     // result
   [[nodiscard]] std::size_t broken() const { return broken_; }
   // By label. Answers to which the law did not apply count too, if they have a label ("undecided").
   [[nodiscard]] const std::map<std::string, std::size_t>& labels() const { return labels_; }

@@ -26,10 +26,10 @@ struct StepBody {
   Vec3<double> w;                        // rotation vector
   double rate = 0, rho = 0;              // |w|, and how far the core's points are from the pivot, at most
   double radius = 0, size = 0;           // of the ball added to the core, and of the whole
-  double swept = 0;      // the radius, with the addition for a rotation that is not followed
-  double error = 0;      // of a point, and of h(n)
-  bool turns = false;    // the rotation is followed
-  bool is_ball = false;  // over the step the ball about the pivot stands for the core
+  double swept = 0;                      // the radius, with the addition for a rotation that is not followed
+  double error = 0;                      // of a point, and of h(n)
+  bool turns = false;                    // the rotation is followed
+  bool is_ball = false;                  // over the step the ball about the pivot stands for the core
 };
 
 class StepPair {

@@ -130,9 +130,9 @@ TEST(Families, BringHardnessToALevelAndNameTheCaseByIt) {
 
 // The families whose shapes the exact oracle decides.
 bool is_exact(const Family& family) {
-  constexpr std::array kOthers = {"curved",        "combinators",      "smooth_graze",
-                                  "far_own_frame", "mixed_magnitudes", "at_rest",
-                                  "coaxial",       "rods_and_round",   "smooth_depths", "rays"};
+  constexpr std::array kOthers = {"curved",           "combinators", "smooth_graze", "far_own_frame",
+                                  "mixed_magnitudes", "at_rest",     "coaxial",      "rods_and_round",
+                                  "smooth_depths",    "rays"};
   return std::find(kOthers.begin(), kOthers.end(), family.name) == kOthers.end();
 }
 

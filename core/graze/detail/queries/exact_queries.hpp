@@ -163,6 +163,10 @@ LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S
     out.outcome = search.start() <= 0 ? Outcome::hit : Outcome::miss;
     if (out.outcome == Outcome::miss)
       out.normal_in = detail::exact::unit_of(search.separating()).template cast<S>();
+    if (out.outcome == Outcome::hit) {
+      out.in_upper = -kInfinity<S>;
+      out.out_lower = kInfinity<S>;
+    }
     return detail::exact::finished(search, out);
   }
   detail::exact::PassageSearch<S> cast(a, b, out.counters);

@@ -89,7 +89,7 @@ struct RayHit {
     open,   // rounding decides, or the shape is degenerate: another search answers
     start,  // in contact at t = 0, deeper than the predicate_error
     miss,   // no contact up to t_max, by more than the predicate_error
-    hit,  // n supports the body at its point x, where the ray is at t, within predicate_error / 2
+    hit,    // n supports the body at its point x, where the ray is at t, within predicate_error / 2
   };
   Kind kind = Kind::open;
   // Set for a hit: own axes, n points outward and has length 1. Not set for another kind.

@@ -36,14 +36,14 @@ enum class Advance { conservative, bilateral };
 
 struct MarchLimits {
   Advance advance = Advance::bilateral;
-  double begin = 0, end = 1;  // a contact that is passed over has ended at `begin`
-  double stop = 0;            // a gap that axes cannot close
-  double width = 0;           // largest distance of either bracket end from contact. 0: the least one
-  double touching = -1;       // bodies within this distance are in contact. Negative: proof is needed
-  bool proves_later = false;  // `touching` is about the start alone
-  int budget = 0;             // support evaluations
-  bool record = false;        // keep the chain
-  bool asks_start = false;    // a start that stays open ends the march, for its caller to decide
+  double begin = 0, end = 1;         // a contact that is passed over has ended at `begin`
+  double stop = 0;                   // a gap that axes cannot close
+  double width = 0;                  // largest distance of either bracket end from contact. 0: the least one
+  double touching = -1;              // bodies within this distance are in contact. Negative: proof is needed
+  bool proves_later = false;         // `touching` is about the start alone
+  int budget = 0;                    // support evaluations
+  bool record = false;               // keep the chain
+  bool asks_start = false;           // a start that stays open ends the march, for its caller to decide
   WholeTurns may_sweep{true, true};  // whole_turns.hpp
 };
 

@@ -14,8 +14,7 @@ struct Sweep {
   Outcome outcome = Outcome::not_converged;
   S lower = 0, upper = kInfinity<S>;  // of s, unset for a miss
   S apart = kInfinity<S>;             // hit, not_converged: a bound of the distance at lower, internal length
-  Vec3<S> n =
-      Vec3<S>::Zero();  // unit axis that proves lower, or the miss (zero if lower is 0 by default)
+  Vec3<S> n = Vec3<S>::Zero();  // unit axis that proves lower, or the miss (zero if lower is 0 by default)
   // hit: points of C and their weights, the combination at the contact. A point that has no direction e of its own
   // uses n.
   Simplex<S> contact;
