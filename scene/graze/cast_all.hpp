@@ -70,16 +70,17 @@ void cast_rays(const Body<double>& body, std::span<const RayQuestion> rays,
                std::span<CastResult<double>> answers, const CastOptions<double>& options = {},
                unsigned threads = 1);
 
-// The fields of the result that most callers read: 80 bytes instead of 1,568. Each number is that of the CastResult,
-// to the bit.
+/// The fields of a ray's CastResult that most callers read: 80 bytes instead of 1,568. Each number is the same, to the bit.
 struct RayAnswer {
-  Outcome outcome = Outcome::invalid_input;
-  double toi_lower = std::numeric_limits<double>::quiet_NaN();
-  double toi_upper = std::numeric_limits<double>::quiet_NaN();
-  Vec3<double> normal = Vec3<double>::Zero();  // CastResult::normal
-  Vec3<double> point = Vec3<double>::Zero();   // CastResult::point_a: on the body, at toi_lower
+  Outcome outcome = Outcome::invalid_input;                     ///< As CastResult::outcome.
+  double toi_lower = std::numeric_limits<double>::quiet_NaN();  ///< As CastResult::toi_lower.
+  double toi_upper = std::numeric_limits<double>::quiet_NaN();  ///< As CastResult::toi_upper.
+  Vec3<double> normal =
+      Vec3<double>::Zero();  ///< As CastResult::normal: unit, world axes, from the body to the point.
+  Vec3<double> point =
+      Vec3<double>::Zero();  ///< As CastResult::point_a: on the body at `toi_lower`, world coordinates.
 };
-// A proof is not computed.
+/// Many rays against one body, which is prepared once. The answers are slim, and no proof is computed.
 void cast_rays(const Body<double>& body, std::span<const RayQuestion> rays, std::span<RayAnswer> answers,
                const CastOptions<double>& options = {}, unsigned threads = 1);
 
