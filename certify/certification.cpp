@@ -58,7 +58,7 @@ std::string why_unasked(const Method& method, const Case& asked) {
   if (std::string why = law::why_invalid(asked); !why.empty()) return "it has " + why;
   if (!method.is_ours()) return method.refuses(asked);
   if (method.is_exact() && !engine::is_exact_question(method.seen(asked)))
-    return "tier exact answers polytopes without a target distance";
+    return "tier exact answers no ellipsoids, cylinders or cones";
   return {};
 }
 

@@ -1,4 +1,4 @@
-// A crate, then a ball, falls past the side of a table, and exactly along it. What does each tier say?
+// A crate, then a ball, falls past the side of a table, and exactly along it, in each tier.
 //
 // Side on side, the bodies touch on the way, and one unit in the last place decides. The exact and the certified tier decide
 // every such tie of polytopes and of round bodies. The standard tier answers for shapes within its guarantee, a few units in

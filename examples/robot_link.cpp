@@ -8,7 +8,7 @@
 #include <cstdio>
 
 int main() {
-  constexpr double kLength = 0.8, kRadius = 0.04;  // metres; of the link
+  constexpr double kLength = 0.8, kRadius = 0.04;  // of the link, metres
   constexpr double kMargin = 0.005;                // what the planner keeps clear
   constexpr double kUnderside = 0.45;              // height of the shelf above the joint
   constexpr double kSwing = 1.2;                   // radians

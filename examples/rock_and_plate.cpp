@@ -7,7 +7,7 @@
 #include <vector>
 
 int main() {
-  std::vector<Eigen::Vector3d> points;  // in any order, those inside too; the hull copies them
+  std::vector<Eigen::Vector3d> points;  // in any order, those inside too. The hull copies them.
   for (int k = 0; k <= 1000; ++k) {
     const double z = 1 - k / 500.0, r = std::sqrt(1 - z * z), turn = 2.4 * k;
     points.emplace_back(r * std::cos(turn), r * std::sin(turn), z);

@@ -11,13 +11,11 @@ ADDED_BY = {"linear": "add_linear_methods", "query": "add_query_methods", "rotat
 # Entries of core in double, by the header that defines them. One whose header does not include, however deep,
 # what a patch changes is the same with the defect, and is taken from the library.
 ENTRIES = {
-    "graze/detail/casts/exact_cast.hpp": ("CastResult", "cast_exact", "CastOptions"),
-    "graze/detail/casts/certified_cast.hpp": ("CastResult", "cast_certified", "CastOptions"),
-    "graze/detail/casts/ladder.hpp": ("CastResult", "cast", "CastOptions"),
-    "graze/detail/queries/distance_query.hpp": ("DistanceResult", "distance", "DistanceOptions"),
-    "graze/detail/queries/line_query.hpp": ("LineResult", "line", "LineOptions"),
-    "graze/detail/queries/penetration_query.hpp": ("PenetrationResult", "penetration", "PenetrationOptions"),
-    "graze/detail/queries/swept_overlap_query.hpp": ("SweptOverlapResult", "swept_overlap", "SweptOverlapOptions"),
+    "graze/detail/casts/ladder.hpp": ("Cast", ["cast", "cast_certified", "cast_exact"]),
+    "graze/detail/queries/distance_query.hpp": ("Distance", ["distance"]),
+    "graze/detail/queries/line_query.hpp": ("Line", ["line"]),
+    "graze/detail/queries/penetration_query.hpp": ("Penetration", ["penetration"]),
+    "graze/detail/queries/swept_overlap_query.hpp": ("SweptOverlap", ["swept_overlap"]),
 }
 CLASS_LETTERS = "ABCDEFGHIJKL"
 
@@ -149,9 +147,10 @@ def instantiated_elsewhere(headers):
     """C++ that says of the entries of these headers that they are instantiated elsewhere."""
     lines = [f"#include <{header}>" for header in headers] + ["namespace graze {"]
     for header in headers:
-        result, name, options = ENTRIES[header]
+        kind, names = ENTRIES[header]
         body = "const Body<double>&"
-        lines.append(f"extern template {result}<double> {name}({body}, {body}, const {options}<double>&);")
+        lines += [f"extern template {kind}Result<double> {name}({body}, {body}, const {kind}Options<double>&);"
+                  for name in names]
     return "\n".join([*lines, "}", ""])
 
 

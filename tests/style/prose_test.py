@@ -42,7 +42,9 @@ def habits(sentence):
 
 def comments(path):
     found = (COMMENT.search(line) for line in path.read_text(encoding="utf-8").split("\n"))
-    return "\n".join((match[1] or match[2] or "") if match else "" for match in found)
+    lines = ((match[1] or match[2] or "") if match else "" for match in found)
+    # Two spaces or more begin a row of a table or a list.
+    return "\n".join(f"\n{line.strip()}\n" if line.startswith("  ") else line for line in lines)
 
 
 source = pathlib.Path(sys.argv[1])

@@ -308,7 +308,7 @@ void add_cast_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--tier", settings->tier,
-          "standard (the default); certified: a proved bracket; or exact: polytopes, to the last bit. "
+          "standard (the default); certified: a proved bracket; or exact: to the last bit. "
           "The same as --method certified, --method exact")
       ->type_name("NAME");
   command
@@ -333,11 +333,9 @@ void add_cast_command(CLI::App& app, int& exit_code) {
       "impact;\n"
       "use lower in a simulator: it is never late. The normal is from A to B; point_a and point_b are the "
       "contact\n"
-      "on each body at lower, in world coordinates. Tier exact: points, segments, triangles, boxes, hulls, "
-      "posed "
-      "and\n"
-      "summed, without a target distance; lower and upper are the two doubles next to the time, or both are "
-      "it.\n\n"
+      "on each body at lower, in world coordinates. Tier exact: all but ellipsoids, cylinders, cones and "
+      "hulls\n"
+      "of shapes; lower and upper are the two doubles next to the time, or both are it.\n\n"
       "Of a case in which a body turns:\n"
       "  plan (default)       simulates what can be seen, and names it; --plan says why\n"
       "  bilateral            bilateral advancement: never passes the first contact\n"

@@ -137,7 +137,7 @@ TEST(PriceRun, ATableHasEveryContenderThatTakesACase) {
   const RunSettings settings{.rounds = 2};
   const PriceTable table = measure_table(topic, contenders_of(topic, {}, false), settings);
   EXPECT_EQ(table.truth.exact, 3U);
-  EXPECT_EQ(table.find("exact/double"), nullptr) << "a ball is none of tier exact's";
+  EXPECT_NE(table.find("exact/double"), nullptr);
   const Row* gjk = table.find("gjk/double");
   const Row* loose = table.find("gjk/double 1e-01");
   ASSERT_NE(gjk, nullptr);
@@ -172,6 +172,7 @@ TEST(PriceRun, ALooseToleranceIsSeenWhereTheSearchClosesIn) {
   const Row* loose = table.find("gjk/double 1e-01");
   ASSERT_NE(gjk, nullptr);
   ASSERT_NE(loose, nullptr);
+  EXPECT_EQ(table.find("exact/double"), nullptr) << "the exact tier takes no ellipsoid";
   EXPECT_LT(gjk->backward.worst, 1e-13);
   EXPECT_GT(loose->backward.worst, 1e-9);
   EXPECT_LT(loose->backward.worst, 0.1);

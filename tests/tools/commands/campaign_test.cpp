@@ -155,7 +155,7 @@ TEST_F(CampaignCommand, BadInputIsNamedInOneLine) {
   expect_one_complaint("campaign --queries 0", "--queries");
   expect_one_complaint("campaign --casts 5 --per-family 5", "give one");
   expect_one_complaint("campaign --rotating 5 --rotating-per-family 5", "give one");
-  expect_one_complaint("campaign --family curved", "exact/double");
+  expect_one_complaint("campaign --family rods_and_round", "exact/double");
   expect_one_complaint("campaign --method epa", "epa is no method");
   for (const std::string shard : {"0/3", "4/3", "1", "1/", "a/b", "1/3x", "/3"})
     expect_one_complaint("campaign --shard " + shard, "--shard: " + shard);

@@ -32,8 +32,9 @@ constexpr double kFollowedDepth(Tier tier) {
 }
 inline constexpr double kFollowedErrors = 16;
 // Support evaluations after which a contact is no longer followed. A crate that tips about its edge until its next
-// face lands takes a thousand. A longer search would need slices as short as the rounding.
-inline constexpr int kMostFollowedSupports = 2048;
+// face lands takes a thousand. A longer search would need slices as short as the rounding. The last search of a
+// distance may take 256 more.
+inline constexpr int kMostFollowedSupports = 1792;
 // The linear slop of the slides, over scale, if the caller sets no tolerance.
 inline constexpr double kPublishedSlop = 0.005;
 

@@ -101,11 +101,8 @@ class RoundSearch {
       if (!valid_ || (sign > 0 && !falls)) return {};
       if (sign == 0 && falls) return contact_in({t, t});
       (sign > 0 ? lower : upper) = t;
-      if (next_up(lower) == upper) {
-        if (sign <= 0) settle(Dyadic(lower), Dyadic(lower), radius_);
-        return contact_in({lower, upper});
-      }
-      const double root = falls ? newton(t) : t, beside = next(t, sign > 0);
+      if (next_up(lower) == upper) return contact_in({lower, upper});
+      const double root = falls ? t + newton() : t, beside = next(t, sign > 0);
       t = std::abs(root - t) > std::abs(beside - t) && root > lower && root < upper ? root : beside;
       if (!(t > 0 && t < kInfinity<double>)) return {};
     }
@@ -185,14 +182,14 @@ class RoundSearch {
   }
   [[nodiscard]] bool is_before(double t) { return is_falling_at(t) && near_->sign_of_f() >= 0; }
   // After is_before(t): Newton's step from there, as rounded.
-  [[nodiscard]] double newton(double t) const {
+  [[nodiscard]] double newton() const {
     const Dyadic reach = radius_ * near_->weight(),
                  below = near_->below() * near_->weight() * near_->weight();
     const Dyadic along = dot(near_->p(), v_);
     const double excess = ratio(near_->above() - reach * reach * near_->below(), below);
     const double length = std::sqrt(ratio(near_->above(), below)) + ratio(radius_, Dyadic(1));
     const double rate = std::sqrt(ratio(along * along, dot(near_->p(), near_->p())));
-    return t + excess / length / rate;
+    return excess / length / rate;
   }
 
   // Doubles in their order, and back.
@@ -216,7 +213,7 @@ class RoundSearch {
         break;
       }
       lower = t;
-      const double next = std::min(newton(t), last);
+      const double next = std::min(t + newton(), last);
       if (!(next > t)) break;
       t = next;
     }
@@ -234,16 +231,36 @@ class RoundSearch {
       t = at_key(key_of(lower) + (key_of(upper) - key_of(lower)) / 2);
       (is_before(t) ? lower : upper) = t;
     }
-    settle(Dyadic(lower), Dyadic(lower), radius_);
     return contact_in({lower, upper});
   }
-  // As the lower end was settled last.
   [[nodiscard]] RoundContact contact_in(const TimeBracket& toi) {
     RoundContact out;
+    settle(Dyadic(toi.upper), Dyadic(toi.upper), radius_);
+    const std::vector<Id> after(near_->corners().begin(), near_->corners().end());
+    settle(Dyadic(toi.lower), Dyadic(toi.lower), radius_);
     out.toi = {toi.lower, near_->sign_of_f() == 0 ? toi.lower : toi.upper};
+    if (!are_corners(after)) close_in(toi.lower);
     out.normal = normal_at_contact();
     take_corners(out);
     return out;
+  }
+  [[nodiscard]] bool are_corners(const std::vector<Id>& ids) const {
+    const auto corners = near_->corners();
+    return corners.size() == ids.size() && std::all_of(corners.begin(), corners.end(), [&](const Id& c) {
+             return std::any_of(ids.begin(), ids.end(),
+                                [&](const Id& id) { return id.a == c.a && id.b == c.b; });
+           });
+  }
+  // The nearest feature changes between two doubles, which may be far apart beside R: Newton's steps over finer times.
+  void close_in(double lower) {
+    const double speed = std::sqrt(ratio(dot(v_, v_), Dyadic(1))), radius = ratio(radius_, Dyadic(1));
+    Dyadic t(lower);
+    for (int step = 0; step < kNewton && valid_; ++step) {
+      const double way = newton() * (1 - 0x1p-40);
+      if (!(way * speed > kUnitRoundoff<double> / 4 * radius)) break;
+      t = t + Dyadic(way);
+      settle(t, t, radius_);
+    }
   }
   void take_corners(RoundContact& out) const {
     const auto corners = near_->corners();
@@ -253,7 +270,7 @@ class RoundSearch {
       out.share[i] = near_->share(i);
     }
   }
-  // Computes w at TOI from the nearest feature at toi_lower. A radius far below |v| times the spacing of doubles
+  // Computes w at TOI from the nearest feature before it. A radius far below |v| times the spacing of doubles
   // would cancel completely in w at a double's time. The feature's w moves by V = v across the feature, so that |w +
   // delta V| = R. In units of `below` and W, W delta = c / (-b + root(b^2 - a c)) with a = V.V, b = w.V, c = w.w -
   // R^2. In a face w keeps its direction.
