@@ -81,7 +81,7 @@ struct AxisFactor {
 ///
 /// Here z = t v - c_0.
 struct NearestAxis {
-  int size = 0;                     ///< The number of pairs: 1 to 3, with `motion` 1 or 2. 0: it is not the axis.
+  int size = 0;  ///< The number of pairs: 1 to 3, with `motion` 1 or 2. 0: it is not the axis.
   std::array<SupportPair, 3> pair;  ///< Pairs of vertices of the cores, without offsets.
   double time = 0;                  ///< t. The foot along v does not depend on it.
   bool motion = false;              ///< True if v is one of the directions.

@@ -124,18 +124,14 @@ template <class N>
 [[nodiscard]] AxisFindings axis_claims(const AxisQuestion& ask, const LowerClaims& claims, Scans& scans) {
   const Pair<N> pair(ask.a, ask.b);
   const Triple<N> plain = axis_vector(ask.a, ask.b, pair, ask.proof);
-  const Triple<N> n = tilted(ask.proof, plain, pair.velocity, [&] {
-    return factor_in_world(ask.a, ask.b, pair, ask.proof.factor[0]);
-  });
+  const Triple<N> n = tilted(ask.proof, plain, pair.velocity,
+                             [&] { return factor_in_world(ask.a, ask.b, pair, ask.proof.factor[0]); });
   const N high = weighted_support(ask, pair, n, scans);
-  const auto radius = [&] {
-    return pair.weigh(N(ask.a.radius) + N(ask.b.radius) + N(ask.target_distance));
-  };
-  return decide(
-      claims, is_zero(plain), approach_along(ask.proof, n, pair.velocity),
-      [&](const N& x, bool strict) {
-        return below_zero(ask.rounded(), radius, n, high - pair.weigh(x), strict);
-      });
+  const auto radius = [&] { return pair.weigh(N(ask.a.radius) + N(ask.b.radius) + N(ask.target_distance)); };
+  return decide(claims, is_zero(plain), approach_along(ask.proof, n, pair.velocity),
+                [&](const N& x, bool strict) {
+                  return below_zero(ask.rounded(), radius, n, high - pair.weigh(x), strict);
+                });
 }
 
 }  // namespace graze::oracle

@@ -487,7 +487,8 @@ Verdict check_bracket(const corpus::Case& problem, const Proof& proof, MovedBoun
   if (!(proof.toi_lower < proof.toi_upper && proof.toi_upper < kInfinity<double>))
     return check(problem, proof, cascade, nullptr);
   // The door and the points ask nothing that a moved bound would change, once the lower one is above 0.
-  if (proof.toi_lower > 0 && problem.target_distance == 0 && !proof.of_cores) return check(problem, proof, cascade, &moved);
+  if (proof.toi_lower > 0 && problem.target_distance == 0 && !proof.of_cores)
+    return check(problem, proof, cascade, &moved);
   Verdict verdict = check(problem, proof, cascade, nullptr);
   if (!verdict.accepted()) return verdict;
   Proof raised = proof, lowered = proof;

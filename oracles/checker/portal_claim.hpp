@@ -30,7 +30,7 @@ struct PortalPoints {
   int size = 0;
   bool weighted = false;  // w differs from 1
   N weight = N(1);
-  N balls = N(0);         // of a portal of cores: r_A + r_B, which is added to m
+  N balls = N(0);          // of a portal of cores: r_A + r_B, which is added to m
   bool has_balls = false;  // r_A + r_B > 0
 
   [[nodiscard]] N weigh(const N& s) const { return weighted ? weight * s : s; }

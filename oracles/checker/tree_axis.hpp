@@ -7,7 +7,8 @@ namespace graze::oracle {
 
 class TreeAxis {
  public:
-  TreeAxis(const TreePair& pair, const Proof& proof) : pair_(pair), proof_(proof), factors_(factors_of(proof)) {
+  TreeAxis(const TreePair& pair, const Proof& proof)
+      : pair_(pair), proof_(proof), factors_(factors_of(proof)) {
     if (is_nearest(proof)) add(ways_[kFoot], proof.nearest.pair[0]);
     for (std::size_t i = 0; i < factors_.size; ++i) add_steps(i);
     if (!is_tilted(proof)) return;
@@ -34,7 +35,8 @@ class TreeAxis {
     if (is_nearest(proof_)) {
       const PortalPoints<N> foot = portal_points<N>(pair_, ways_[kFoot].a, ways_[kFoot].b);
       const Triple<N> path = foot.weigh(scaled(N(proof_.nearest.time), velocity<N>()));
-      return less_foot(path - foot.at[0], factors_.size, [&] { return edge<N>(0); }, across);
+      return less_foot(
+          path - foot.at[0], factors_.size, [&] { return edge<N>(0); }, across);
     }
     const Triple<N> n = across();
     return proof_.axis_sign < 0 ? -n : n;
