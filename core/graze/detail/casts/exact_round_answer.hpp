@@ -180,7 +180,8 @@ void prove_round(RoundSearch<S>& search, const CastOptions<S>& options, const Ti
     claims.claim_lower(toi.lower, proof);
     claims.claim_upper(toi, proof);
   }
-  out.proof = under_policy(proof, options.start_policy);
+  // A number of the proof alone that outgrew its room leaves the answer, and claims nothing.
+  out.proof = search.valid() ? under_policy(proof, options.start_policy) : Proof{};
 }
 
 template <Scalar S>
@@ -230,12 +231,14 @@ void answer_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>&
   } else {
     search_round_cast(a, b, options, search, guess, toi, out);
   }
-  if (wants_proof && search.valid()) prove_round(search, options, toi, out);
-  if (search.valid()) return;
-  const Method method = out.method;
-  out = {};
-  out.method = method;
-  refuse_as_too_complex(out);
+  if (!search.valid()) {
+    const Method method = out.method;
+    out = {};
+    out.method = method;
+    refuse_as_too_complex(out);
+  } else if (wants_proof) {
+    prove_round(search, options, toi, out);
+  }
 }
 
 }  // namespace exact
