@@ -2,6 +2,7 @@
 // accepted, and refused for the neighbouring double, a radius an ulp away, another foot and another flag.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "oracles/checker/check_proof.hpp"
