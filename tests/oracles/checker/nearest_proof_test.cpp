@@ -98,7 +98,7 @@ void expect_tight(const Case& c, const Proof& proof, Refusal raised = Refusal::l
 TEST(NearestProof, ContactAtADoubleByAVertexAnEdgeAndAFace) {
   expect_tight(ball_at({3, 4, 0}, {-1, 0, 0}), proof_at_one({0}));
   expect_tight(ball_at({4, 5, 0}, {0, -1, 0}, kBox), proof_at_one({3, 7}));
-  expect_tight(ball_at({0.25, 6, 0.25}, {1, -1, 0.5}, kBox), proof_at_one({2, 3, 6}));
+  expect_tight(ball_at({-0.25, 6, -0.25}, {1, -1, 0.5}, kBox), proof_at_one({2, 3, 6}));
 }
 
 TEST(NearestProof, RotatedByAnIntegerQuaternionWithLengthsTimesItsNorm) {
