@@ -23,7 +23,7 @@ class RoundClaims {
     out.toi_upper = 0;
     take_portal(search_.nearest(Dyadic(), Dyadic()), out);
   }
-  // Of [0, t_max], or of the start alone for bodies at rest.
+  // For [0, t_max], or for the start alone if the bodies rest.
   void claim_miss(double t_max, Proof& out) {
     const Dyadic end = search_.moves() && t_max > 0 ? search_.end(t_max) : Dyadic();
     const std::span<const Id> corners = search_.nearest(Dyadic(), end);

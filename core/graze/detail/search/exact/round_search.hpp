@@ -133,7 +133,7 @@ class RoundSearch {
     settle(from, to, radius_);
     return near_->corners();
   }
-  // Of it: the sign of f - R^2, and that of w.v.
+  // The sign of f - R^2 at that point, and the sign of w.v.
   [[nodiscard]] int sign_of_f() const { return near_->sign_of_f(); }
   [[nodiscard]] int sign_of_rate() const { return -dot(near_->p(), v_).sign(); }
   // Is the step between two vertices of K along v, or 0?
