@@ -66,9 +66,14 @@ class Digest {
     const auto& [kind, given, from, to] = x;
     all(kind, given, from, to);
   }
+  void add(const NearestAxis& x) {
+    const auto& [size, pair, time, motion] = x;
+    all(size, pair, time, motion);
+  }
   void add(const Proof& x) {
-    const auto& [lower, has_axis, symbolic, axis, sign, factor, upper, size, portal] = x;
-    all(lower, has_axis, symbolic, axis, sign, factor, upper, size, portal);
+    const auto& [lower, has_axis, symbolic, axis, sign, factor, nearest, then, upper, size, portal,
+                 of_cores] = x;
+    all(lower, has_axis, symbolic, axis, sign, factor, nearest, then, upper, size, portal, of_cores);
   }
   void add(const TimeSlice& x) {
     const auto& [end, axis, frame] = x;

@@ -166,8 +166,8 @@ struct Method {
 // invalid_input with Invalid::not_exact. This is written from the documentation of the tier and not from its code:
 // points, segments, triangles, boxes, hulls, spheres, capsules, posed, summed and rounded, at any target distance.
 [[nodiscard]] bool is_exact_question(const corpus::Case& seen);
-// True for exact questions whose answer has a proof. Rounded shapes and target distances have no proof.
-[[nodiscard]] bool has_exact_proof(const corpus::Case& seen);
+// True for exact questions without rounded shapes and target distances.
+[[nodiscard]] bool is_sharp_question(const corpus::Case& seen);
 
 // Is a body given a rotation, seen or not?
 [[nodiscard]] bool turns(const corpus::Case& problem);

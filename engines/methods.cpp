@@ -151,7 +151,7 @@ bool is_exact_question(const corpus::Case& seen) {
   return is_polytope(seen.a.shape, true) && is_polytope(seen.b.shape, true);
 }
 
-bool has_exact_proof(const corpus::Case& seen) {
+bool is_sharp_question(const corpus::Case& seen) {
   return is_polytope(seen.a.shape, false) && is_polytope(seen.b.shape, false) && seen.target_distance == 0;
 }
 

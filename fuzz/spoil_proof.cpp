@@ -36,7 +36,11 @@ class Spoiler {
           pair(proof.portal[random_.below(static_cast<std::size_t>(proof.portal_size))]);
         break;
       case 5:
-        proof.portal_size = random_.integer(0, 4);
+        if (random_.once_in(3)) {
+          proof.of_cores = !proof.of_cores;
+        } else {
+          proof.portal_size = random_.integer(0, 4);
+        }
         break;
       case 6:
         if (proof.portal_size < 4) {
@@ -150,11 +154,37 @@ class Spoiler {
       return;
     }
     proof.has_axis = proof.symbolic = true;
+    if (random_.once_in(proof.nearest.size > 0 ? 2 : 8)) {
+      nearest(proof);
+      return;
+    }
     AxisFactor& factor = proof.factor[random_.below(2)];
     factor.kind = static_cast<AxisFactor::Kind>(random_.below(3));
     factor.given = direction(factor.given);
     if (random_.once_in(2)) factor.from = any_pair();
     if (random_.once_in(2)) factor.to = any_pair();
+  }
+  void nearest(Proof& proof) {
+    NearestAxis& axis = proof.nearest;
+    switch (random_.below(5)) {
+      case 0:
+        axis.time = number(axis.time);
+        break;
+      case 1:
+        axis.motion = !axis.motion;
+        break;
+      case 2:
+        proof.then = !proof.then;
+        break;
+      case 3:
+        // Size 0 makes it a cross product. One beyond the room is malformed, and must be found to be.
+        axis.size = random_.integer(0, random_.once_in(8) ? 4 : 3);
+        break;
+      default:
+        axis.pair[random_.below(3)] = any_pair();
+        axis.size = std::max(axis.size, 1);
+        break;
+    }
   }
 
   Feature any_feature(const Body<double>& body) {

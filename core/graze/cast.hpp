@@ -64,7 +64,7 @@ CastResult<S> cast_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptio
 template <Scalar S>
 CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {});
 /// The exact tier, whatever tier and method the options name. Ellipsoids, cylinders, cones and hulls of
-/// shapes are `invalid_input` (Invalid::not_exact). Answers about rounded shapes or a target distance have no proof yet.
+/// shapes are `invalid_input` (Invalid::not_exact).
 template <Scalar S>
 CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {});
 

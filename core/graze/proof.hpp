@@ -5,13 +5,15 @@
 /// over C of n.c. The bodies touch at t if t v is in C, and the TOI is the least such t in [0, T], or infinity.
 ///
 /// **Axis** n, not 0 and not normalised. It is a triple of doubles, or symbolic: plus or minus the cross product of
-/// two factors. The axis of an exact answer is rarely a triple of doubles. It proves
+/// two factors, or the direction from the cores to a point of the path. The axis of an exact answer is rarely a triple
+/// of doubles. It proves
 ///
 /// - TOI >= h(n) / (n.v) if n.v < 0: every earlier t v is outside the half-space n.c <= h(n).
 /// - TOI = infinity, a miss, if h(n) < min(0, T n.v), with T 0 = 0 for T = infinity too.
 ///
-/// **Portal**: k support pairs (a_i, b_i), k <= 3, or k <= 4 for contact at t = 0. If some convex combination of the
-/// a_i - b_i is s v (within m of it) with 0 <= s <= T, then TOI <= s.
+/// **Portal**: k support pairs (a_i, b_i), k <= 4. If some convex combination of the a_i - b_i is s v (within m of it)
+/// with 0 <= s <= T, then TOI <= s. In a portal of cores, the points have no offsets, and the combination is within
+/// R = r_A + r_B + m of s v, with the radii r of the balls around the cores.
 ///
 /// Every number is a double, whatever scalar made the proof. A proof states only bounds that hold without condition
 /// for the true shapes. The checker shares no code with the search.
@@ -70,6 +72,21 @@ struct AxisFactor {
   return {};
 }
 
+/// The axis of an exact answer about rounded polytopes: n = t v minus its foot on the plane, line or point through the
+/// differences c_i of the pairs, and along v too if `motion`. Up to a positive factor, without division or roots:
+///
+/// - no direction: n = z
+/// - one direction e: n = (e.e) z - (z.e) e
+/// - two directions e and g: n = (z.N) N, with N = e x g
+///
+/// Here z = t v - c_0.
+struct NearestAxis {
+  int size = 0;  ///< The number of pairs: 1 to 3, with `motion` 1 or 2. 0: it is not the axis.
+  std::array<SupportPair, 3> pair;  ///< Pairs of vertices of the cores, without offsets.
+  double time = 0;                  ///< t. The foot along v does not depend on it.
+  bool motion = false;              ///< True if v is one of the directions.
+};
+
 /// The proof of a linear cast: what it claims, and what the claims rest on. CastResult::proof holds it, if requested.
 ///
 /// `graze cast --proof` writes it to a file, and `graze check` verifies it.
@@ -77,16 +94,21 @@ struct Proof {
   /// The claim TOI >= toi_lower. Infinity claims a miss. 0 claims nothing and needs no axis.
   double toi_lower = 0;
   bool has_axis = false;  ///< True if there is an axis.
-  /// True if the axis is n = axis_sign (factor[0] x factor[1]). Then `axis` is not read.
+  /// True if the axis is n = axis_sign (factor[0] x factor[1]), or `nearest`. Then `axis` is not read.
   bool symbolic = false;
   Vec3<double> axis = Vec3<double>::Zero();  ///< n, if it is not symbolic.
-  int axis_sign = 1;                         ///< 1 or -1, for a symbolic axis.
-  std::array<AxisFactor, 2> factor;          ///< The factors of a symbolic axis.
+  int axis_sign = 1;                         ///< 1 or -1, for a cross product.
+  std::array<AxisFactor, 2> factor;          ///< The factors of a cross product.
+  NearestAxis nearest;                       ///< The axis, if it is symbolic and the size is not 0.
+  /// For a `nearest` axis across v: the axis is n + e n_2 for all small enough e > 0. n_2 is -v if factor[0] is the
+  /// motion, otherwise n x factor[0]. A graze at a double needs it, because no single plane proves it.
+  bool then = false;
 
   /// The claim TOI <= toi_upper. Infinity claims nothing and needs no portal.
   double toi_upper = kInfinity<double>;
   int portal_size = 0;                ///< The number of support pairs, 0 to 4.
   std::array<SupportPair, 4> portal;  ///< The support pairs.
+  bool of_cores = false;              ///< True for a portal of cores.
 };
 
 }}  // namespace graze::GRAZE_LINKAGE

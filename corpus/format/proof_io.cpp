@@ -14,6 +14,10 @@ static_assert(kCurvedParts == 2);
 constexpr std::string_view kAxisForm =
     "an axis is an array of three numbers, or an object {\"sign\", \"cross\"} with the two factors of n";
 constexpr std::string_view kCrossForm = "cross is an array of two factors";
+constexpr std::string_view kNearest = "nearest";
+constexpr std::string_view kNearestForm = "nearest is an array of one to three pairs {\"a\", \"b\"}";
+constexpr std::string_view kThen = "then";
+constexpr std::string_view kCores = "cores";
 constexpr std::string_view kMotion = to_text(AxisFactor::Kind::motion);
 constexpr std::string_view kFactorForm =
     "a factor is an array of three numbers, \"motion\", or an object {\"from\", \"to\"} of support pairs";
@@ -68,10 +72,44 @@ AxisFactor read_factor(const JsonValue& value, const std::string& path) {
   return factor;
 }
 
+// At most as many as there is room for. Returns how many.
+template <std::size_t N>
+int read_pairs(const JsonValue& value, const std::string& path, std::string_view right,
+               std::array<SupportPair, N>& out) {
+  const std::vector<JsonValue>& pairs = read_array(value, path, right);
+  if (pairs.size() > N) throw Malformed{path, describe(value) + "; " + std::string(right)};
+  for (std::size_t i = 0; i < pairs.size(); ++i) out[i] = read_pair(pairs[i], item_path(path, i));
+  return static_cast<int>(pairs.size());
+}
+
+void read_nearest(const JsonValue& value, const std::string& path, Proof& proof) {
+  const Fields fields(value, path, {kNearest, "time", kMotion, kThen});
+  NearestAxis& nearest = proof.nearest;
+  const JsonValue& pairs = fields.required(kNearest, kNearestForm);
+  nearest.size = read_pairs(pairs, fields.path(kNearest), kNearestForm, nearest.pair);
+  if (nearest.size == 0)
+    throw Malformed{fields.path(kNearest), describe(pairs) + "; " + std::string(kNearestForm)};
+  nearest.time = read_number(fields.required("time", "a time"), fields.path("time"));
+  if (const JsonValue* motion = fields.optional(kMotion)) {
+    if (motion->kind != JsonValue::Kind::boolean)
+      throw Malformed{fields.path(kMotion), describe(*motion) + "; true if the foot may lie along v too"};
+    nearest.motion = motion->boolean;
+  }
+  if (const JsonValue* then = fields.optional(kThen)) {
+    proof.then = true;
+    proof.factor[0] = read_factor(*then, fields.path(kThen));
+  }
+}
+
 void read_axis(const JsonValue& value, const std::string& path, Proof& proof) {
   proof.has_axis = true;
   if (value.kind != JsonValue::Kind::object) {
     proof.axis = read_vec3(value, path, kAxisForm);
+    return;
+  }
+  if (value.find(kNearest) != nullptr) {
+    proof.symbolic = true;
+    read_nearest(value, path, proof);
     return;
   }
   const Fields fields(value, path, {"sign", "cross"});
@@ -95,7 +133,7 @@ void read_axis(const JsonValue& value, const std::string& path, Proof& proof) {
 }  // namespace
 
 Proof read_proof(const JsonValue& value, const std::string& path) {
-  const Fields fields(value, path, {"toi_lower", "axis", "toi_upper", "portal"});
+  const Fields fields(value, path, {"toi_lower", "axis", "toi_upper", "portal", kCores});
   Proof proof;
   proof.toi_lower =
       read_extended(fields.required("toi_lower", "a time, or \"inf\" for a miss"), fields.path("toi_lower"));
@@ -104,16 +142,15 @@ Proof read_proof(const JsonValue& value, const std::string& path) {
   }
   proof.toi_upper = read_extended(fields.required("toi_upper", "a time, or \"inf\" for no claim"),
                                   fields.path("toi_upper"));
-  if (const JsonValue* portal = fields.optional("portal")) {
-    const std::string where = fields.path("portal");
-    const std::vector<JsonValue>& pairs = read_array(*portal, where, kPortalForm);
-    if (pairs.size() > proof.portal.size()) {
-      throw Malformed{where, describe(*portal) + "; " + std::string(kPortalForm)};
-    }
-    for (const JsonValue& item : pairs) {
-      proof.portal[proof.portal_size] = read_pair(item, item_path(where, proof.portal_size));
-      ++proof.portal_size;
-    }
+  const JsonValue* portal = fields.optional("portal");
+  const JsonValue* cores = fields.optional(kCores);
+  if (portal != nullptr && cores != nullptr)
+    throw Malformed{fields.path(kCores), "the proof has a portal already; it is one of the two"};
+  proof.of_cores = cores != nullptr;
+  if (proof.of_cores) portal = cores;
+  if (portal != nullptr) {
+    const std::string where = fields.path(proof.of_cores ? kCores : "portal");
+    proof.portal_size = read_pairs(*portal, where, kPortalForm, proof.portal);
   }
   return proof;
 }
@@ -223,6 +260,12 @@ std::string write_pair(const SupportPair& pair) {
   return "{\"a\": " + write_feature(pair.a) + ", \"b\": " + write_feature(pair.b) + "}";
 }
 
+std::string write_pairs(std::span<const SupportPair> pairs, int size) {
+  std::string text = "[";
+  for (int i = 0; i < size; ++i) text += (i > 0 ? ", " : "") + write_pair(pairs[static_cast<std::size_t>(i)]);
+  return text + "]";
+}
+
 std::string write_factor(const AxisFactor& factor) {
   switch (factor.kind) {
     case AxisFactor::Kind::given:
@@ -238,11 +281,9 @@ std::string write_factor(const AxisFactor& factor) {
 std::string write_linear(const Proof& proof) {
   std::string text = "{\"toi_lower\": " + json_number(proof.toi_lower);
   if (proof.has_axis) text += ", \"axis\": " + write_axis(proof);
-  text += ", \"toi_upper\": " + json_number(proof.toi_upper) + ", \"portal\": [";
-  for (int i = 0; i < proof.portal_size; ++i) {
-    text += (i > 0 ? ", " : "") + write_pair(proof.portal[i]);
-  }
-  return text + "]}";
+  text += ", \"toi_upper\": " + json_number(proof.toi_upper) +
+          (proof.of_cores ? ", \"cores\": " : ", \"portal\": ");
+  return text + write_pairs(proof.portal, proof.portal_size) + "}";
 }
 
 std::string write_rotating(const RotatingProof& proof) {
@@ -272,6 +313,13 @@ std::string write_rotating(const RotatingProof& proof) {
 
 std::string write_axis(const Proof& proof) {
   if (!proof.symbolic) return write_vec3(proof.axis);
+  if (const NearestAxis& nearest = proof.nearest; nearest.size > 0) {
+    std::string text = "{\"nearest\": " + write_pairs(nearest.pair, nearest.size) +
+                       ", \"time\": " + json_number(nearest.time);
+    if (nearest.motion) text += ", \"motion\": true";
+    if (proof.then) text += ", \"then\": " + write_factor(proof.factor[0]);
+    return text + "}";
+  }
   return "{\"sign\": " + std::to_string(proof.axis_sign) + ", \"cross\": [" + write_factor(proof.factor[0]) +
          ", " + write_factor(proof.factor[1]) + "]}";
 }

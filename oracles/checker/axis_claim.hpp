@@ -6,6 +6,10 @@
 //   a miss         iff  h(n) - t n.v < 0  with t = T where n.v < 0 (T = infinity: never), else t = 0
 // Both need the sign of D + w R |n|, D = w (H - t n.v). For R > 0 it is <= 0 iff D <= 0 and D^2 >= w^2 R^2
 // |n|^2. The strict case is analogous. A symbolic n that is exactly zero is not an axis.
+//
+// A tilted axis n + e n_2 is decided over numbers with an infinitesimal e (Dual). Then h(n + e n_2) is exact up to
+// e^2, and (n + e n_2).v is of size e at least. So n + e n_2 proves every bound below t, as e tends to 0, and hence t.
+// For the same reason a strict inequality holds for all small enough e.
 #pragma once
 
 #include <graze/proof.hpp>
@@ -28,15 +32,14 @@ struct Scans {
   Scan a, b;
 };
 
-// Does D + w R |n| lie below zero (or at zero, unless strict)?
-template <class N>
-[[nodiscard]] Answer below_zero(const AxisQuestion& ask, const Pair<N>& pair, const Triple<N>& n, const N& d,
+// Does D + w R |n| lie below zero (or at zero, unless strict)? weighted_radius() is w R.
+template <class N, class Radius>
+[[nodiscard]] Answer below_zero(bool rounded, const Radius& weighted_radius, const Triple<N>& n, const N& d,
                                 bool strict) {
   const Sign s = sign(d);
-  if (!ask.rounded()) return strict ? is_negative(s) : at_most_zero(s);
   const Answer side = strict ? is_negative(s) : at_most_zero(s);
-  if (side == Answer::no) return side;
-  const N radius = pair.weigh(N(ask.a.radius) + N(ask.b.radius) + N(ask.target_distance));
+  if (!rounded || side == Answer::no) return side;
+  const N radius = weighted_radius();
   const Sign excess = sign(d * d - radius * radius * dot(n, n));
   return both(side, strict ? is_positive(excess) : at_least_zero(excess));
 }
@@ -120,11 +123,15 @@ template <class N, class Below>
 template <class N>
 [[nodiscard]] AxisFindings axis_claims(const AxisQuestion& ask, const LowerClaims& claims, Scans& scans) {
   const Pair<N> pair(ask.a, ask.b);
-  const Triple<N> n = axis_vector(ask.a, ask.b, pair, ask.proof);
+  const Triple<N> plain = axis_vector(ask.a, ask.b, pair, ask.proof);
+  const Triple<N> n = tilted(ask.proof, plain, pair.velocity,
+                             [&] { return factor_in_world(ask.a, ask.b, pair, ask.proof.factor[0]); });
   const N high = weighted_support(ask, pair, n, scans);
-  return decide(
-      claims, is_zero(n), approach_along(ask.proof, n, pair.velocity),
-      [&](const N& x, bool strict) { return below_zero(ask, pair, n, high - pair.weigh(x), strict); });
+  const auto radius = [&] { return pair.weigh(N(ask.a.radius) + N(ask.b.radius) + N(ask.target_distance)); };
+  return decide(claims, is_zero(plain), approach_along(ask.proof, n, pair.velocity),
+                [&](const N& x, bool strict) {
+                  return below_zero(ask.rounded(), radius, n, high - pair.weigh(x), strict);
+                });
 }
 
 }  // namespace graze::oracle

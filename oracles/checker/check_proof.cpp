@@ -3,6 +3,7 @@
 
 #include "oracles/arithmetic/default_environment.hpp"
 #include "oracles/arithmetic/double_double.hpp"
+#include "oracles/arithmetic/dual.hpp"
 #include "oracles/arithmetic/dyadic.hpp"
 #include "oracles/arithmetic/number_text.hpp"
 #include "oracles/checker/tree_axis.hpp"
@@ -57,8 +58,30 @@ struct VertexCounts {
   return "a factor of the axis of no known kind";
 }
 
+// The same for a pair of points of the cores.
+[[nodiscard]] const char* fault_of_cores(const SupportPair& pair, const VertexCounts* counts) {
+  if (const char* fault = fault_of(pair, counts)) return fault;
+  for (const Feature* f : {&pair.a, &pair.b}) {
+    if (!f->offset.isZero(0)) return "a pair of cores with an offset";
+    for (const Vec3<double>& x : f->curved)
+      if (!x.isZero(0)) return "a pair of cores with a point of a curved part";
+  }
+  return nullptr;
+}
+
+[[nodiscard]] const char* fault_of(const Proof& proof, const NearestAxis& nearest,
+                                   const VertexCounts* counts) {
+  if (nearest.size < 0 || nearest.size + (nearest.motion ? 1 : 0) > 3)
+    return "a nearest axis with more than two directions, or of a size below 0";
+  if (!std::isfinite(nearest.time)) return "a NaN or an infinite time of a nearest axis";
+  for (int i = 0; i < nearest.size; ++i)
+    if (const char* fault = fault_of_cores(nearest.pair[static_cast<std::size_t>(i)], counts)) return fault;
+  return proof.then ? fault_of(proof.factor[0], counts) : nullptr;
+}
+
 [[nodiscard]] const char* fault_of_axis(const Proof& proof, const VertexCounts* counts) {
   if (!proof.symbolic) return all_finite(proof.axis) ? nullptr : "a NaN or an infinite axis";
+  if (proof.nearest.size != 0) return fault_of(proof, proof.nearest, counts);
   if (proof.axis_sign != 1 && proof.axis_sign != -1) return "an axis_sign that is neither 1 nor -1";
   for (const AxisFactor& factor : proof.factor)
     if (const char* fault = fault_of(factor, counts)) return fault;
@@ -87,9 +110,11 @@ struct VertexCounts {
     return {Refusal::malformed, fault};
   if (proof.portal_size < 0 || proof.portal_size > 4)
     return {Refusal::malformed, "a portal of a size outside 0..4"};
-  for (int i = 0; i < proof.portal_size; ++i)
-    if (const char* fault = fault_of(proof.portal[static_cast<std::size_t>(i)], bound))
+  for (int i = 0; i < proof.portal_size; ++i) {
+    const SupportPair& pair = proof.portal[static_cast<std::size_t>(i)];
+    if (const char* fault = proof.of_cores ? fault_of_cores(pair, bound) : fault_of(pair, bound))
       return {Refusal::malformed, fault};
+  }
 
   if (in_a.refusal == Refusal::unsupported) return in_a;
   if (in_b.refusal == Refusal::unsupported) return in_b;
@@ -139,6 +164,13 @@ class Cascade {
     }
     if (cost_ != nullptr) ++cost_->exact_decisions;
     return decide.template operator()<Dyadic>();
+  }
+
+  // The same in exact numbers of the given kind only.
+  template <class N, class Decide>
+  [[nodiscard]] auto run_exactly(const Decide& decide) const {
+    if (cost_ != nullptr) ++cost_->exact_decisions;
+    return decide.template operator()<N>();
   }
 
   // The same for claims with square roots, whose finding may stay unknown.
@@ -243,7 +275,8 @@ class SolidBodies {
                                   const LowerClaims& claims) const {
     const AxisQuestion ask{a_, b_, proof, target_distance};
     Scans scans;
-    return cascade.run([&]<class N>() { return axis_claims<N>(ask, claims, scans); });
+    const auto decide = [&]<class N>() { return axis_claims<N>(ask, claims, scans); };
+    return is_tilted(proof) ? cascade.run_exactly<Dual<Dyadic>>(decide) : cascade.run(decide);
   }
   [[nodiscard]] AxisValues axis_values(const Proof& proof, double target_distance) const {
     const AxisQuestion ask{a_, b_, proof, target_distance};
@@ -278,7 +311,10 @@ class TreeBodies {
     }
   }
 
-  [[nodiscard]] Verdict points_fit(const Cascade& cascade, const Proof&) const {
+  [[nodiscard]] Verdict points_fit(const Cascade& cascade, const Proof& proof) const {
+    if ((is_nearest(proof) || (proof.of_cores && proof.portal_size > 0)) &&
+        !(pair_.a.has_core() && pair_.b.has_core()))
+      return {Refusal::unsupported, "the cores of curved shapes, or of a hull of shapes"};
     bool named = axis_.named();
     for (const std::vector<Way>* ways : {&ways_a_, &ways_b_})
       for (const Way& way : *ways) named &= way.curved_count() <= kCurvedParts;
@@ -302,9 +338,15 @@ class TreeBodies {
     return {};
   }
 
-  [[nodiscard]] AxisFindings axis(const Cascade& cascade, const Proof&, double target_distance,
+  [[nodiscard]] AxisFindings axis(const Cascade& cascade, const Proof& proof, double target_distance,
                                   const LowerClaims& claims) const {
     TreeScans scans(pair_);
+    if (is_nearest(proof)) {
+      const auto decide = [&]<class N>() {
+        return axis_.nearest_findings<N>(target_distance, claims, scans);
+      };
+      return is_tilted(proof) ? cascade.run_exactly<Dual<Dyadic>>(decide) : cascade.run(decide);
+    }
     return cascade.run_with_roots(target_distance > 0 || pair_.has_roots(), [&]<class N>() {
       return axis_.findings<N>(target_distance, claims, scans);
     });
@@ -313,14 +355,19 @@ class TreeBodies {
     const WorkingPrecision working(kFirstBits);
     TreeScans every_vertex(pair_);
     const Triple<Ball> n = axis_.vector<Ball>();
-    const Fraction<Ball> h = tree_support<Ball>(pair_, n, target_distance, every_vertex);
+    const Fraction<Ball> h = tree_support<Ball>(pair_, n, root(dot(n, n)), target_distance, every_vertex);
     return {(h.value / h.weight).mid_double(),
             approach_along(proof, n, axis_.velocity<Ball>()).value.mid_double()};
   }
 
   template <class N>
-  [[nodiscard]] PortalPoints<N> points(const Proof&) const {
-    return portal_points<N>(pair_, ways_a_, ways_b_);
+  [[nodiscard]] PortalPoints<N> points(const Proof& proof) const {
+    PortalPoints<N> points = portal_points<N>(pair_, ways_a_, ways_b_);
+    if (proof.of_cores) {
+      points.balls = pair_.a.template ball<N>() + pair_.b.template ball<N>();
+      points.has_balls = pair_.a.has_ball() || pair_.b.has_ball();
+    }
+    return points;
   }
 
  private:
@@ -330,7 +377,7 @@ class TreeBodies {
 };
 
 // The claims in their order, and, if `moved` is not null, what would be accepted with either bound moved to
-// the other: for 0 < toi_lower < toi_upper < infinity and no target distance. The case and the form of the
+// the other: for 0 < toi_lower < toi_upper < infinity and no ball about the portal. The case and the form of the
 // proof are sound.
 template <class Bodies>
 [[nodiscard]] Verdict check_claims(const corpus::Case& problem, const Proof& proof, const Bodies& bodies,
@@ -440,7 +487,8 @@ Verdict check_bracket(const corpus::Case& problem, const Proof& proof, MovedBoun
   if (!(proof.toi_lower < proof.toi_upper && proof.toi_upper < kInfinity<double>))
     return check(problem, proof, cascade, nullptr);
   // The door and the points ask nothing that a moved bound would change, once the lower one is above 0.
-  if (proof.toi_lower > 0 && problem.target_distance == 0) return check(problem, proof, cascade, &moved);
+  if (proof.toi_lower > 0 && problem.target_distance == 0 && !proof.of_cores)
+    return check(problem, proof, cascade, &moved);
   Verdict verdict = check(problem, proof, cascade, nullptr);
   if (!verdict.accepted()) return verdict;
   Proof raised = proof, lowered = proof;

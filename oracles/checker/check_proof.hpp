@@ -7,7 +7,8 @@
 //   - For every other shape, axes are decided in double, axes without square roots then in double-double, then
 //     in balls of 128 to 4,096 bits, then with exact sums and products. Portals are decided as above.
 // A symbolic axis is computed in the arithmetic at hand, so its result is exact too. The points of its
-// factors may lie anywhere, as every vector but zero is an axis.
+// factors may lie anywhere, as every vector but zero is an axis. A nearest axis and a portal of cores are about
+// polytopes plus a ball, combined ones included, and take no square roots.
 //
 // Cost: tight proofs, 8 to 16 vertices, median, in microseconds (bench/check_proof_bench.cpp).
 //   proof                                                    identity poses   rotated poses
@@ -42,8 +43,10 @@ enum class Refusal {
   none,             // accepted
   malformed,        // NaN, a part without a shape, a portal size out of 0..4, an index beyond the vertices,
                     // a feature with more than kCurvedParts curved parts, a bound below zero, an axis_sign
-                    // other than 1 and -1, a factor of no known kind
-  unsupported,      // a case that this checker does not know (rotation, a shape of too many parts)
+                    // other than 1 and -1, a factor of no known kind, a nearest axis of three directions
+                    // or more, a pair of cores with an offset
+  unsupported,      // a case that this checker does not know (rotation, a shape of too many parts), or
+                    // cores of a curved shape or of a hull of shapes
   out_of_range,     // a non-zero magnitude of the case outside 1e-60 .. 1e60
   offset_too_long,  // |offset| > the sum of the radii on the way to the vertex
   point_outside,    // a point of a curved part outside that part

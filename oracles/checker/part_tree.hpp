@@ -51,6 +51,23 @@ class PartTree {
   [[nodiscard]] std::size_t size() const { return parts_.size(); }
   [[nodiscard]] std::uint64_t vertex_count() const { return parts_[0].vertices; }
 
+  // Is the shape a polytope plus one ball? Hulls of other shapes do not count.
+  [[nodiscard]] bool has_core() const {
+    return std::none_of(parts_.begin(), parts_.end(),
+                        [](const Part& part) { return part.is_curved() || part.kind == PartKind::hull_of; });
+  }
+  // The radius of that ball: the radii of all parts add up.
+  template <class N>
+  [[nodiscard]] N ball() const {
+    N sum(0);
+    for (const Part& part : parts_)
+      if (part.leaf.radius > 0) sum = sum + N(part.leaf.radius);
+    return sum;
+  }
+  [[nodiscard]] bool has_ball() const {
+    return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.leaf.radius > 0; });
+  }
+
  private:
   void pose(std::size_t i, const Vec3<double>& position, const Quaternion<double>& q, Door& door) {
     door.vector(position);

@@ -1,6 +1,6 @@
 // The claim that a portal proves, over any of the checker's arithmetics. Is there a point of P =
 // hull{p_1..p_k}, k <= 4, at s v (within m of it) for some s in [0, U]?  Here p_i = a_i - b_i and U = min(T,
-// toi_upper). Points come scaled by w = wA wB > 0.
+// toi_upper). Points come scaled by w = wA wB > 0. In a portal of cores m is R = r_A + r_B + m.
 //
 // m = 0. {s : s v in P} is an interval [s0, s1], and its ends are basic solutions of a linear program: each
 // comes from a subset of the points whose projections along v are affinely independent and hold 0:
@@ -30,6 +30,8 @@ struct PortalPoints {
   int size = 0;
   bool weighted = false;  // w differs from 1
   N weight = N(1);
+  N balls = N(0);          // of a portal of cores: r_A + r_B, which is added to m
+  bool has_balls = false;  // r_A + r_B > 0
 
   [[nodiscard]] N weigh(const N& s) const { return weighted ? weight * s : s; }
   [[nodiscard]] Triple<N> weigh(const Triple<N>& s) const { return weighted ? scaled(weight, s) : s; }
@@ -40,7 +42,7 @@ struct PathQuestion {
   const Vec3<double>& displacement_b;
   double horizon;          // U
   double target_distance;  // m
-  // Does the claim hold for this U as well? Only for m = 0.
+  // Does the claim hold for this U as well? Only if no ball is about the points.
   std::optional<double> lowered = {};
 };
 
@@ -61,7 +63,8 @@ class PortalClaim {
       : portal_(std::move(points)),
         horizon_(ask.horizon),
         lowered_(ask.lowered),
-        target_distance_(ask.target_distance),
+        rounded_(ask.target_distance > 0 || portal_.has_balls),
+        radius_(portal_.balls + N(ask.target_distance)),
         velocity_(difference<N>(ask.displacement_b, ask.displacement_a)) {
     // The largest component of v. Its sign is exact, being that of one rounded difference.
     const Vec3<double> v = ask.displacement_b - ask.displacement_a;
@@ -97,7 +100,7 @@ class PortalClaim {
     return crossing.found == Answer::yes && moving_ ? PortalFinding::beyond : PortalFinding::off_path;
   }
   [[nodiscard]] PortalFinding finding(const Crossing& crossing) const {
-    if (target_distance_ == 0) return exact_finding(crossing, crossing.before_end);
+    if (!rounded_) return exact_finding(crossing, crossing.before_end);
     const Answer on_time = both(crossing.before_end, crossing.after_start);
     if (on_time == Answer::yes) return PortalFinding::holds;
     const Answer near = either(on_time, near_path(true));
@@ -177,7 +180,7 @@ class PortalClaim {
 
   // Is P within m of [0, U v] (bounded), or of the line through 0 along v? P may be taken to meet neither.
   [[nodiscard]] Answer near_path(bool bounded) const {
-    const N m = portal_.weigh(N(target_distance_));
+    const N m = portal_.weigh(radius_);
     const N m_sq = m * m;
     const bool has_length = !bounded || horizon_ > 0;
     const Triple<N> along =
@@ -252,7 +255,8 @@ class PortalClaim {
   PortalPoints<N> portal_;
   double horizon_;
   std::optional<double> lowered_;
-  double target_distance_;
+  bool rounded_;
+  N radius_;  // m, or R for a portal of cores
   Triple<N> velocity_;
   int axis_ = 0;
   bool moving_ = true, backward_ = false;
@@ -266,6 +270,10 @@ template <class N>
   points.size = proof.portal_size;
   points.weighted = pair.weighted;
   points.weight = pair.weight;
+  if (proof.of_cores) {
+    points.balls = N(a.radius) + N(b.radius);
+    points.has_balls = a.radius > 0 || b.radius > 0;
+  }
   for (int i = 0; i < points.size; ++i) {
     const SupportPair& s = proof.portal[static_cast<std::size_t>(i)];
     points.at[i] = difference_point(pair, a, b, s.a, s.b);

@@ -8,6 +8,9 @@
 // crossed in its frame.
 //
 // Every n is an axis, so a factor's points may lie anywhere. They only have to be named.
+//
+// A nearest axis is t v - c_0 = z less its foot on the directions e and g from c_0: z, (e.e) z - (z.e) e, or (z.N) N
+// with N = e x g. Its directions are factors.
 #pragma once
 
 #include <graze/proof.hpp>
@@ -26,6 +29,59 @@ template <class N>
   return zero;
 }
 
+[[nodiscard]] inline bool is_nearest(const Proof& proof) {
+  return proof.has_axis && proof.symbolic && proof.nearest.size > 0;
+}
+// Is the axis tilted by an infinitesimal?
+[[nodiscard]] inline bool is_tilted(const Proof& proof) { return is_nearest(proof) && proof.then; }
+
+// The factors of a cross product, or the directions of a nearest axis. There is room for the one of a tilted axis.
+struct Factors {
+  std::array<AxisFactor, 3> at;
+  std::size_t size = 0;
+};
+[[nodiscard]] inline Factors factors_of(const Proof& proof) {
+  Factors out;
+  if (!is_nearest(proof)) {
+    if (proof.has_axis && proof.symbolic) out = {{proof.factor[0], proof.factor[1]}, 2};
+    return out;
+  }
+  const NearestAxis& nearest = proof.nearest;
+  for (std::size_t i = 1; i < static_cast<std::size_t>(nearest.size); ++i) {
+    AxisFactor& step = out.at[out.size++];
+    step.kind = AxisFactor::Kind::difference;
+    step.from = nearest.pair[0];
+    step.to = nearest.pair[i];
+  }
+  if (nearest.motion) out.at[out.size++].kind = AxisFactor::Kind::motion;
+  return out;
+}
+
+// A nearest axis. along() is its only direction, and across() the cross product of two.
+template <class N, class Along, class Across>
+[[nodiscard]] Triple<N> less_foot(const Triple<N>& z, std::size_t directions, const Along& along,
+                                  const Across& across) {
+  if (directions == 0) return z;
+  if (directions == 2) {
+    const Triple<N> n = across();
+    return scaled(dot(z, n), n);
+  }
+  const Triple<N> e = along();
+  return scaled(dot(e, e), z) - scaled(dot(z, e), e);
+}
+
+// n + e n_2 for a tilted axis (Dual), otherwise n. second() is the factor of n_2.
+template <class N, class Second>
+[[nodiscard]] Triple<N> tilted(const Proof& proof, const Triple<N>& n, const Triple<N>& velocity,
+                               const Second& second) {
+  if constexpr (requires { N::infinitesimal(); }) {
+    const bool back = proof.factor[0].kind == AxisFactor::Kind::motion;
+    return n + scaled(N::infinitesimal(), back ? -velocity : cross(n, second()));
+  } else {
+    return n;
+  }
+}
+
 // n.v, and whether it is negative.
 template <class N>
 struct Approach {
@@ -33,8 +89,9 @@ struct Approach {
   Answer negative;
 };
 
-// n = +-(v x f) is across v by construction, which no bound on a rounding error could tell.
+// An axis with v among its factors is across v by construction, which no bound on a rounding error could tell.
 [[nodiscard]] inline bool across_motion(const Proof& proof) {
+  if (is_nearest(proof)) return proof.nearest.motion && !proof.then;
   return proof.symbolic && (proof.factor[0].kind == AxisFactor::Kind::motion ||
                             proof.factor[1].kind == AxisFactor::Kind::motion);
 }
@@ -90,17 +147,35 @@ template <class N>
   return {sum};
 }
 
-// n of two leaves.
+template <class N>
+[[nodiscard]] Triple<N> in_world(const Pair<N>& pair, EdgeFrame frame, const Triple<N>& x) {
+  return frame == EdgeFrame::of_a ? pair.a.apply(x) : frame == EdgeFrame::of_b ? pair.b.apply(x) : x;
+}
+template <class N>
+[[nodiscard]] Triple<N> factor_in_world(const Solid& a, const Solid& b, const Pair<N>& pair,
+                                        const AxisFactor& factor) {
+  const Edge<N> e = edge_of(a, b, pair, factor);
+  return in_world(pair, e.frame, e.along);
+}
+
+// n of two leaves, not tilted.
 template <class N>
 [[nodiscard]] Triple<N> axis_vector(const Solid& a, const Solid& b, const Pair<N>& pair, const Proof& proof) {
   if (!proof.symbolic) return triple<N>(proof.axis);
-  const auto in_world = [&pair](EdgeFrame frame, const Triple<N>& x) {
-    return frame == EdgeFrame::of_a ? pair.a.apply(x) : frame == EdgeFrame::of_b ? pair.b.apply(x) : x;
+  const Factors factors = factors_of(proof);
+  const auto along = [&] { return factor_in_world(a, b, pair, factors.at[0]); };
+  const auto across = [&] {
+    const Edge<N> first = edge_of(a, b, pair, factors.at[0]), second = edge_of(a, b, pair, factors.at[1]);
+    return first.frame == second.frame
+               ? in_world(pair, first.frame, cross(first.along, second.along))
+               : cross(in_world(pair, first.frame, first.along), in_world(pair, second.frame, second.along));
   };
-  const Edge<N> first = edge_of(a, b, pair, proof.factor[0]), second = edge_of(a, b, pair, proof.factor[1]);
-  const Triple<N> n = first.frame == second.frame
-                          ? in_world(first.frame, cross(first.along, second.along))
-                          : cross(in_world(first.frame, first.along), in_world(second.frame, second.along));
+  if (is_nearest(proof)) {
+    const SupportPair& s = proof.nearest.pair[0];
+    const Triple<N> path = pair.weigh(scaled(N(proof.nearest.time), pair.velocity));
+    return less_foot(path - difference_point(pair, a, b, s.a, s.b), factors.size, along, across);
+  }
+  const Triple<N> n = across();
   return proof.axis_sign < 0 ? -n : n;
 }
 

@@ -7,17 +7,16 @@ namespace graze::oracle {
 
 class TreeAxis {
  public:
-  TreeAxis(const TreePair& pair, const Proof& proof) : pair_(pair), proof_(proof) {
-    if (!proof.has_axis || !proof.symbolic) return;
-    for (std::size_t i = 0; i < proof.factor.size(); ++i) {
-      const AxisFactor& factor = proof.factor[i];
-      if (factor.kind != AxisFactor::Kind::difference) continue;
-      for (const SupportPair* s : {&factor.from, &factor.to}) {
-        ways_[i].a.emplace_back(pair.a, s->a);
-        ways_[i].b.emplace_back(pair.b, s->b);
-      }
-    }
+  TreeAxis(const TreePair& pair, const Proof& proof)
+      : pair_(pair), proof_(proof), factors_(factors_of(proof)) {
+    if (is_nearest(proof)) add(ways_[kFoot], proof.nearest.pair[0]);
+    for (std::size_t i = 0; i < factors_.size; ++i) add_steps(i);
+    if (!is_tilted(proof)) return;
+    factors_.at[kThen] = proof.factor[0];
+    add_steps(kThen);
   }
+  TreeAxis(const TreeAxis&) = delete;
+  TreeAxis& operator=(const TreeAxis&) = delete;
 
   // Does each factor's feature hold the curved points of its way?
   [[nodiscard]] bool named() const {
@@ -28,11 +27,18 @@ class TreeAxis {
     return true;
   }
 
-  // n up to a positive factor.
+  // n up to a positive factor, not tilted.
   template <class N>
   [[nodiscard]] Triple<N> vector() const {
     if (!proof_.symbolic) return triple<N>(proof_.axis);
-    const Triple<N> n = cross(edge<N>(0), edge<N>(1));
+    const auto across = [&] { return cross(edge<N>(0), edge<N>(1)); };
+    if (is_nearest(proof_)) {
+      const PortalPoints<N> foot = portal_points<N>(pair_, ways_[kFoot].a, ways_[kFoot].b);
+      const Triple<N> path = foot.weigh(scaled(N(proof_.nearest.time), velocity<N>()));
+      return less_foot(
+          path - foot.at[0], factors_.size, [&] { return edge<N>(0); }, across);
+    }
+    const Triple<N> n = across();
     return proof_.axis_sign < 0 ? -n : n;
   }
   template <class N>
@@ -44,22 +50,50 @@ class TreeAxis {
   [[nodiscard]] AxisFindings findings(double target_distance, const LowerClaims& claims,
                                       TreeScans& scans) const {
     const Triple<N> n = vector<N>();
-    const Fraction<N> h = tree_support<N>(pair_, n, target_distance, scans);
+    const Fraction<N> h = tree_support<N>(pair_, n, root(dot(n, n)), target_distance, scans);
     return decide(claims, is_zero(n), approach_along(proof_, n, velocity<N>()), [&](const N& x, bool strict) {
       const Sign s = sign(h.value - weigh(h, x));
       return strict ? is_negative(s) : at_most_zero(s);
     });
+  }
+  // The same for a nearest axis, without roots: for polytopes plus a ball.
+  template <class N>
+  [[nodiscard]] AxisFindings nearest_findings(double target_distance, const LowerClaims& claims,
+                                              TreeScans& scans) const {
+    const Triple<N> plain = vector<N>();
+    const Triple<N> n = tilted(proof_, plain, velocity<N>(), [&] { return edge<N>(kThen); });
+    const Fraction<N> high = tree_support<N>(pair_, n, N(0), 0, scans);
+    const bool rounded = target_distance > 0 || pair_.a.has_ball() || pair_.b.has_ball();
+    const auto radius = [&] {
+      return weigh(high, pair_.a.template ball<N>() + pair_.b.template ball<N>() + N(target_distance));
+    };
+    return decide(claims, is_zero(plain), approach_along(proof_, n, velocity<N>()),
+                  [&](const N& x, bool strict) {
+                    return below_zero(rounded, radius, n, high.value - weigh(high, x), strict);
+                  });
   }
 
  private:
   struct FactorWays {
     std::vector<Way> a, b;  // from, to (empty unless the factor is a difference)
   };
+  // Besides the factors: the one of a tilted axis, and a nearest axis's first pair.
+  static constexpr std::size_t kThen = 2, kFoot = 3;
+
+  void add(FactorWays& ways, const SupportPair& s) {
+    ways.a.emplace_back(pair_.a, s.a);
+    ways.b.emplace_back(pair_.b, s.b);
+  }
+  void add_steps(std::size_t i) {
+    if (factors_.at[i].kind != AxisFactor::Kind::difference) return;
+    add(ways_[i], factors_.at[i].from);
+    add(ways_[i], factors_.at[i].to);
+  }
 
   // A factor up to a positive one, as in symbolic_axis.hpp.
   template <class N>
   [[nodiscard]] Triple<N> edge(std::size_t i) const {
-    const AxisFactor& factor = proof_.factor[i];
+    const AxisFactor& factor = factors_.at[i];
     if (factor.kind == AxisFactor::Kind::given) return triple<N>(factor.given);
     if (factor.kind == AxisFactor::Kind::motion) return velocity<N>();
     const bool moves_a = differ(factor.from.a, factor.to.a), moves_b = differ(factor.from.b, factor.to.b);
@@ -82,7 +116,8 @@ class TreeAxis {
 
   const TreePair& pair_;
   const Proof& proof_;
-  std::array<FactorWays, 2> ways_;
+  Factors factors_;
+  std::array<FactorWays, 4> ways_;
 };
 
 }  // namespace graze::oracle

@@ -75,6 +75,13 @@ template <class N>
   return {x.value, true, weigh(x, w)};
 }
 
+// The root of a number that has roots. An exact number has none, and is asked only about cores without curved parts.
+template <class N>
+[[nodiscard]] N root_if_any(const N& x) {
+  if constexpr (requires { root(x); }) return root(x);
+  return N(0);
+}
+
 template <class N>
 class TreeSupport {
  public:
@@ -94,7 +101,7 @@ class TreeSupport {
       }
       case PartKind::ellipsoid: {
         const N x = n.x * e.x(), y = n.y * e.y(), z = n.z * e.z();
-        return {root(x * x + y * y + z * z)};
+        return {root_if_any(x * x + y * y + z * z)};
       }
       case PartKind::cylinder:
         return {across(n) * e.x() + abs(n.z) * e.y()};
@@ -129,7 +136,7 @@ class TreeSupport {
     const Frame<N> frame(true, part.q);
     return divided(at(part.first_child, frame.into_body(n), frame.weight * length), frame.weight);
   }
-  [[nodiscard]] static N across(const Triple<N>& n) { return root(n.x * n.x + n.y * n.y); }
+  [[nodiscard]] static N across(const Triple<N>& n) { return root_if_any(n.x * n.x + n.y * n.y); }
 
   const PartTree& tree_;
   std::vector<Scan>& scans_;
@@ -156,11 +163,10 @@ struct TreeScans {
   explicit TreeScans(const TreePair& pair) : a(pair.a.size()), b(pair.b.size()) {}
 };
 
-// h(n) of C = A - B + ball(m).
+// h(n) of A - B + ball(m), for |n| = length. With length 0 it is that of the cores.
 template <class N>
-[[nodiscard]] Fraction<N> tree_support(const TreePair& pair, const Triple<N>& n, double target_distance,
-                                       TreeScans& scans) {
-  const N length = root(dot(n, n));
+[[nodiscard]] Fraction<N> tree_support(const TreePair& pair, const Triple<N>& n, const N& length,
+                                       double target_distance, TreeScans& scans) {
   const Fraction<N> core =
       TreeSupport<N>(pair.a, scans.a)(n, length) + TreeSupport<N>(pair.b, scans.b)(-n, length);
   const N offset = dot(n, difference<N>(pair.body_a.position, pair.body_b.position));

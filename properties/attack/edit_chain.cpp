@@ -155,6 +155,15 @@ void edit_chain(corpus::ProofRecord& record, Edit kind, Random& random) {
     if (kind != Edit::axis || !proof.has_axis) return;
     if (!proof.symbolic) {
       proof.axis = other_axis(proof.axis, record.problem, random);
+    } else if (NearestAxis& nearest = proof.nearest; nearest.size > 0) {
+      if (random.once_in(2)) {
+        nearest.time = beside(nearest.time, random);
+      } else if (random.once_in(2)) {
+        nearest.motion = !nearest.motion;
+      } else {
+        proof.then = !proof.then;
+        proof.factor[0].kind = static_cast<AxisFactor::Kind>(random.below(3));
+      }
     } else if (random.once_in(3)) {
       proof.axis_sign = -proof.axis_sign;
     } else {

@@ -60,7 +60,30 @@ void edit_pair(SupportPair& pair, const Case& problem, Random& random) {
   }
 }
 
+void edit_nearest(Proof& proof, const Case& problem, Random& random) {
+  NearestAxis& nearest = proof.nearest;
+  const auto size = static_cast<std::size_t>(nearest.size);
+  switch (random.below(4)) {
+    case 0:
+      edit_pair(nearest.pair[random.below(size)], problem, random);
+      break;
+    case 1:
+      if (size < 3) nearest.pair[static_cast<std::size_t>(nearest.size++)] = any_pair(problem, random);
+      break;
+    case 2:
+      if (size > 1) --nearest.size;
+      break;
+    default:
+      edit_pair(random.once_in(2) ? proof.factor[0].from : proof.factor[0].to, problem, random);
+      break;
+  }
+}
+
 void edit_index(Proof& proof, const Case& problem, Random& random) {
+  if (proof.has_axis && proof.symbolic && proof.nearest.size > 0 && random.once_in(2)) {
+    edit_nearest(proof, problem, random);
+    return;
+  }
   if (proof.has_axis && proof.symbolic && random.once_in(2)) {
     AxisFactor& factor = proof.factor[random.below(2)];
     if (factor.kind == AxisFactor::Kind::difference)
@@ -74,6 +97,7 @@ void edit_index(Proof& proof, const Case& problem, Random& random) {
     proof.portal[size] = any_pair(problem, random);
     ++proof.portal_size;
   }
+  if (random.once_in(16)) proof.of_cores = !proof.of_cores;
 }
 
 void edit_index(RotatingProof& proof, const Case& problem, Random& random) {

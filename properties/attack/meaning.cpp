@@ -184,15 +184,36 @@ void write_factors(Writer& out, const Proof& proof) {
       part.rounded ? out.rounded(part.x) : out.exact(part.x);
 }
 
+// The foot is on the plane, line or point through all pairs, whichever is first.
+void write_nearest(Writer& out, const Proof& proof) {
+  const NearestAxis& nearest = proof.nearest;
+  out.exact(nearest.motion ? 0 : nearest.time);
+  out.exact(nearest.motion);
+  std::vector<Weighted> pairs;
+  for (int i = 0; i < std::clamp(nearest.size, 0, 3); ++i)
+    pairs.push_back({nearest.pair[static_cast<std::size_t>(i)], 0, {}});
+  write_pairs(out, std::move(pairs));
+  out.exact(proof.then);
+  if (!proof.then) return;
+  const AxisFactor& factor = proof.factor[0];
+  out.exact(static_cast<double>(factor.kind));
+  if (factor.kind == AxisFactor::Kind::given) out.direction(Direction(factor.given));
+  if (factor.kind != AxisFactor::Kind::difference) return;
+  out.pair(factor.from);
+  out.pair(factor.to);
+}
+
 void write_linear(Writer& out, const Proof& proof) {
   out.exact(proof.toi_lower);
   out.exact(proof.toi_upper);
   if (proof.toi_lower > 0) {
-    out.exact(proof.has_axis ? 1 + proof.symbolic : 0);
-    if (proof.has_axis && proof.symbolic) write_factors(out, proof);
+    const bool nearest = proof.symbolic && proof.nearest.size > 0;
+    out.exact(proof.has_axis ? 1 + proof.symbolic + nearest : 0);
+    if (proof.has_axis && proof.symbolic) nearest ? write_nearest(out, proof) : write_factors(out, proof);
     if (proof.has_axis && !proof.symbolic) out.direction(Direction(proof.axis));
   }
   if (!(proof.toi_upper < kInfinity<double>)) return;
+  out.exact(proof.of_cores);
   std::vector<Weighted> pairs;
   for (int i = 0; i < std::clamp(proof.portal_size, 0, 4); ++i)
     pairs.push_back({proof.portal[static_cast<std::size_t>(i)], 0, {}});

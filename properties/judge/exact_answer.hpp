@@ -11,7 +11,6 @@
 //
 // - a start that is passed over, or reported under the policy pass_over
 // - a hit whose lower bound is 0
-// - every answer of rounded shapes or of a target distance, which has no proof
 #pragma once
 
 #include <cmath>
@@ -68,8 +67,6 @@ inline ExactFinding judge_exact_by_proof(const corpus::Case& seen, const engine:
     case Outcome::hit:
       break;
   }
-  // The oracle decides all of an answer that has no proof.
-  if (!engine::has_exact_proof(seen)) return {};
   if (!answer.proof) return fault("no proof");
   const Proof& proof = *answer.proof;
   oracle::MovedBounds moved;

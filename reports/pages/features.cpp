@@ -124,7 +124,21 @@ Vec axis_of(const Proof& proof, const Shape<double>& a, const Pose& at_a, const 
             const Pose& at_b, const Vec& velocity) {
   if (!proof.has_axis) return Vec::Zero();
   Vec axis = proof.axis.cast<Real>();
-  if (proof.symbolic) {
+  if (proof.symbolic && proof.nearest.size > 0) {
+    // z less its part along each direction, which are made orthogonal first.
+    const NearestAxis& nearest = proof.nearest;
+    const Vec first = difference_of(nearest.pair[0], a, at_a, b, at_b);
+    std::vector<Vec> directions;
+    if (nearest.motion) directions.push_back(velocity);
+    for (std::size_t i = 1; i < static_cast<std::size_t>(nearest.size); ++i)
+      directions.push_back(difference_of(nearest.pair[i], a, at_a, b, at_b) - first);
+    axis = Real(nearest.time) * velocity - first;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const Vec e = directions[i].stableNormalized();
+      axis -= axis.dot(e) * e;
+      for (std::size_t j = i + 1; j < directions.size(); ++j) directions[j] -= directions[j].dot(e) * e;
+    }
+  } else if (proof.symbolic) {
     std::array<Vec, 2> factor;
     for (std::size_t i = 0; i < 2; ++i) {
       const AxisFactor& one = proof.factor[i];

@@ -215,7 +215,7 @@ class Document {
     const Method* method =
         scene_.turns ? engine::find_method(engine::Kind::rotating, "certified")
                      : engine::find_method(engine::Kind::linear,
-                                           engine::has_exact_proof(problem_) ? "exact" : "certified");
+                                           engine::is_exact_question(problem_) ? "exact" : "certified");
     if (method == nullptr) return;
     const Answer answer = method->ask(problem_, {.request = Request::everything});
     out_["reference"] = plain_answer(*method, answer);

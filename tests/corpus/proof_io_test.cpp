@@ -44,6 +44,22 @@ ProofRecord symbolic_example() {
   return record;
 }
 
+// n to the path at t = 0.1, tilted by n x f, and a portal of cores.
+ProofRecord nearest_example() {
+  ProofRecord record = example();
+  Proof& proof = record.proof;
+  proof.symbolic = proof.then = proof.of_cores = true;
+  proof.axis = Vec3<double>::Zero();
+  proof.nearest.size = 2;
+  proof.nearest.pair[0].a.vertex = 6;
+  proof.nearest.pair[1].b.vertex = 3;
+  proof.nearest.time = 0.1;
+  proof.nearest.motion = true;
+  proof.factor[0].kind = AxisFactor::Kind::difference;
+  proof.factor[0].to.a.vertex = 4;
+  return record;
+}
+
 void expect_same_pair(const SupportPair& l, const SupportPair& r) {
   EXPECT_EQ(l.a.vertex, r.a.vertex);
   EXPECT_EQ(l.b.vertex, r.b.vertex);
@@ -71,6 +87,12 @@ void expect_same(const ProofRecord& l, const ProofRecord& r) {
     expect_same_pair(l.proof.factor[i].from, r.proof.factor[i].from);
     expect_same_pair(l.proof.factor[i].to, r.proof.factor[i].to);
   }
+  ASSERT_EQ(l.proof.nearest.size, r.proof.nearest.size);
+  for (std::size_t i = 0; i < 3; ++i) expect_same_pair(l.proof.nearest.pair[i], r.proof.nearest.pair[i]);
+  EXPECT_EQ(l.proof.nearest.time, r.proof.nearest.time);
+  EXPECT_EQ(l.proof.nearest.motion, r.proof.nearest.motion);
+  EXPECT_EQ(l.proof.then, r.proof.then);
+  EXPECT_EQ(l.proof.of_cores, r.proof.of_cores);
   EXPECT_EQ(l.proof.toi_upper, r.proof.toi_upper);
   ASSERT_EQ(l.proof.portal_size, r.proof.portal_size);
   for (int i = 0; i < l.proof.portal_size; ++i) expect_same_pair(l.proof.portal[i], r.proof.portal[i]);
@@ -179,6 +201,40 @@ TEST(ProofIo, ReadsBackSymbolicAxes) {
   for (std::size_t i = 0; i < 2; ++i) expect_same(result.proofs[i], given[i]);
   EXPECT_TRUE(std::signbit(result.proofs[0].proof.factor[1].from.b.offset[2]));
   EXPECT_TRUE(std::signbit(result.proofs[1].proof.factor[0].given[0]));
+}
+
+TEST(ProofIo, ReadsBackNearestAxesAndPortalsOfCores) {
+  ProofRecord plain = nearest_example();
+  plain.proof.then = plain.proof.nearest.motion = false;
+  plain.proof.factor[0] = {};
+  plain.proof.of_cores = false;
+  const ProofReadResult result =
+      read_proofs_text(write_proof(nearest_example()) + "\n" + write_proof(plain) + "\n", "p.jsonl");
+  ASSERT_TRUE(result.ok()) << result.errors[0].text();
+  ASSERT_EQ(result.proofs.size(), 2u);
+  expect_same(result.proofs[0], nearest_example());
+  expect_same(result.proofs[1], plain);
+}
+
+TEST(ProofIo, RefusesMalformedNearestAxes) {
+  const std::string sound = write_proof(nearest_example());
+  for (const auto& [from, to, message] :
+       {std::tuple("\"time\": 0.1, ", "", "p:1: proof.axis.time: missing"),
+        std::tuple("\"time\": 0.1", "\"time\": \"inf\"", "p:1: proof.axis.time: "),
+        std::tuple("\"motion\": true", "\"motion\": 1", "p:1: proof.axis.motion: the number 1; true if"),
+        std::tuple("\"nearest\": [", "\"nearest\": [], \"pairs\": [",
+                   "p:1: proof.axis: unknown field \"pairs\""),
+        std::tuple("\"then\": {\"from\"", "\"then\": {\"off\"",
+                   "p:1: proof.axis.then: unknown field \"off\""),
+        std::tuple("\"cores\": [", "\"portal\": [], \"cores\": [",
+                   "p:1: proof.cores: the proof has a portal")}) {
+    std::string text = sound;
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), std::string(from).size(), to);
+    const ProofReadResult bad = read_proofs_text(text, "p");
+    ASSERT_EQ(bad.errors.size(), 1u) << text;
+    EXPECT_EQ(bad.errors[0].text().substr(0, std::string(message).size()), message) << bad.errors[0].text();
+  }
 }
 
 TEST(ProofIo, RefusesMalformedSymbolicAxes) {

@@ -187,6 +187,8 @@ ALONG = {"query": "penetration_along", "direction": [0, 0, 1]}
 PAIR = {"a": {"vertex": 0, "offset": [0, 1, 0]}, "b": {"vertex": 3, "curved": [[0, 0, 1]]}}
 LINEAR = {"toi_lower": "inf", "axis": [0, -1, 0], "toi_upper": 0.25, "portal": [PAIR]}
 SYMBOLIC = {**LINEAR, "axis": {"sign": -1, "cross": [{"from": PAIR, "to": PAIR}, "motion"]}}
+NEAREST = {"toi_lower": 0.25, "toi_upper": 0.25, "cores": [PAIR],
+           "axis": {"nearest": [PAIR, PAIR], "time": 0.25, "motion": True, "then": {"from": PAIR, "to": PAIR}}}
 ROTATING = {"toi_lower": 0.25, "chain": [{"end": 0.25, "axis": [0, 0, 1], "frame": "a"}], "toi_upper": 0.5,
             "contact": [{**PAIR, "weight": 1}]}
 CROSSING = {**ROTATING, "contact_from": 0.375, "contact": [PAIR]}
@@ -206,7 +208,7 @@ HIT = {**HEAD, "outcome": "hit", "time": 0.25, "normal": [0, 1, 0], "point_a": [
 SOUND = {
     "case": [{**CASE, "expect": FIRST}, {**CASE, **ALONG}, {**CASE, "schema": "graze.case/2", "expect": SECOND}]
             + [{"schema": "graze.case/1", "id": "s", "a": {"shape": shape}, "b": {"shape": SHAPES[0]}} for shape in SHAPES],
-    "proof": [RECORD, {**RECORD, "proof": SYMBOLIC}, {**RECORD, "proof": ROTATING}, {**RECORD, "proof": CROSSING}],
+    "proof": [RECORD, *({**RECORD, "proof": proof} for proof in (SYMBOLIC, NEAREST, ROTATING, CROSSING))],
     "engine": [ENGINE],
     "cast": [HIT, {**HIT, "time": {"lower": 0.25, "upper": 0.5}}, {**HEAD, "outcome": "miss"},
              {**HEAD, "outcome": "initially_overlapping", "normal": [0, 1, 0], "point_a": [0, 0, 0], "point_b": [0, 0, 0]}],

@@ -70,7 +70,10 @@ class Overclaims {
       for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) {
         claim.portal[i].a.vertex = claim.portal[i].b.vertex = static_cast<std::uint32_t>(i % 2);
       }
-      try_claim("a portal of a miss", seen_, claim);
+      for (const bool of_cores : {false, true}) {
+        claim.of_cores = of_cores;
+        try_claim("a portal of a miss", seen_, claim);
+      }
     }
   }
   void later_than_contact() {

@@ -51,13 +51,9 @@ class Records {
     value(proof.toi_lower);
     if (proof.has_axis) axis(proof);
     field("toi_upper", proof.toi_upper);
-    std::fputs(R"(, "portal": [)", proofs_);
-    for (int i = 0; i < proof.portal_size; ++i) {
-      const graze::SupportPair& pair = proof.portal[static_cast<std::size_t>(i)];
-      if (i > 0) std::fputs(", ", proofs_);
-      support_pair(pair);
-    }
-    std::fputs("]}}\n", proofs_);
+    std::fprintf(proofs_, R"(, "%s": )", proof.of_cores ? "cores" : "portal");
+    pairs(proof.portal, proof.portal_size);
+    std::fputs("}}\n", proofs_);
   }
 
   static const char* name_of(graze::Outcome outcome) {
@@ -114,8 +110,29 @@ class Records {
     feature(pair.b);
     std::fputs("}", proofs_);
   }
+  template <class Pairs>
+  void pairs(const Pairs& all, int size) {
+    std::fputs("[", proofs_);
+    for (int i = 0; i < size; ++i) {
+      if (i > 0) std::fputs(", ", proofs_);
+      support_pair(all[static_cast<std::size_t>(i)]);
+    }
+    std::fputs("]", proofs_);
+  }
+  void nearest(const graze::Proof& proof) {
+    std::fputs(R"(, "axis": {"nearest": )", proofs_);
+    pairs(proof.nearest.pair, proof.nearest.size);
+    field("time", proof.nearest.time);
+    if (proof.nearest.motion) std::fputs(R"(, "motion": true)", proofs_);
+    if (proof.then) {
+      std::fputs(R"(, "then": )", proofs_);
+      factor(proof.factor[0]);
+    }
+    std::fputs("}", proofs_);
+  }
   void axis(const graze::Proof& proof) {
     if (!proof.symbolic) return field("axis", proof.axis);
+    if (proof.nearest.size > 0) return nearest(proof);
     std::fprintf(proofs_, R"(, "axis": {"sign": %d, "cross": [)", proof.axis_sign);
     factor(proof.factor[0]);
     std::fputs(", ", proofs_);

@@ -81,7 +81,7 @@ class Judging {
  private:
   // CGAL: the least t of a program over the vertices as they are given.
   std::string fault_by_program(const Case& seen, const engine::Answer& answer) {
-    if (!engine::has_exact_proof(seen)) return {};  // rounded, or at a target distance
+    if (!engine::is_sharp_question(seen)) return {};  // rounded, or at a target distance
     if (vertex_count(seen.a.shape) * vertex_count(seen.b.shape) > 4096) return {};
     ++counts_["by linear program"];
     if (seen.start_policy != StartPolicy::report) return {};

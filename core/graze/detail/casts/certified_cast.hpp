@@ -637,14 +637,13 @@ void add_certified_proof(const Body<S>& a, const Body<S>& b, const CastOptions<S
 }
 
 // The rung of the exact tier for rounded polytopes in the certified one. A number that outgrew its room is left to the
-// certified search. The exact tier proves nothing about rounded shapes yet, so a proof is that of the certified search.
+// certified search.
 template <Scalar S>
 bool exact_round_bracket(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                          CastResult<S>& out) {
   CastResult<S> exactly;
   if (!exact_round_cast(a, b, options, exactly) || exactly.invalid != Invalid::none) return false;
   out = exactly;
-  add_certified_proof(a, b, options, out);
   return true;
 }
 // Rays: boxes and triangles exactly.

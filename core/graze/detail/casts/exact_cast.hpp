@@ -3,10 +3,10 @@
 //   toi_lower is the largest S not above the exact TOI of the true shapes, and toi_upper is the least S not below it.
 //   The verdict is exact, touching included. For every valid input: point, segment, triangle, box, hull, posed and
 //   summed (so swept), any orientation. It always converges. casts/exact_round_answer.hpp covers spheres, capsules,
-//   roundings, and polytopes at a target distance. These answers have no proof.
+//   roundings, and polytopes at a target distance.
 //
-// The proof of every answer of polytopes is accepted to the last bit: its axis is symbolic, its times are the double
-// bracket (for S = float the closer one). queries/exact_queries.hpp has the other questions.
+// The proof of every answer is accepted to the last bit: its axis is symbolic, its times are the double bracket (for S =
+// float the closer one). queries/exact_queries.hpp has the other questions.
 #pragma once
 
 #include <graze/detail/casts/exact_answer_cast.hpp>

@@ -13,7 +13,9 @@
 #include <graze/detail/casts/robust_cast.hpp>
 #include <graze/detail/casts/round_cast.hpp>
 #include <graze/detail/numeric/rounding.hpp>
+#include <graze/detail/proving/prove.hpp>
 #include <graze/detail/search/exact/passage.hpp>
+#include <graze/detail/search/exact/round_claims.hpp>
 #include <graze/detail/search/exact/round_proof.hpp>
 #include <graze/detail/search/exact/round_search.hpp>
 
@@ -97,10 +99,10 @@ GRAZE_FUSED RoundProof prove_fused(const PreparedPair<S>& pair, const Scene<S>& 
 // The round walk's answer where doubles, or pairs of them, prove it. Contact at t = 0 is |p| <= R there. A corner of
 // F is within sqrt(3) point_error of one of K. The weights are >= 0 and sum up to 1 within 4 u, and p's own sums
 // round by 4 u M. The norm |p| is within 4 u of itself, R within 3 u, and |p| <= M. If it returns false, nothing is
-// proved and only the counters of `out` have changed. `guess` describes a hit.
+// proved and only the counters of `out` have changed. `guess` describes a hit, and `toi` its time in doubles.
 template <Scalar S>
 [[nodiscard]] bool fast_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
-                                   CastResult<S>& out, RoundGuess& guess) {
+                                   CastResult<S>& out, RoundGuess& guess, TimeBracket& toi) {
   if (!is_round(a.shape) || !is_round(b.shape) || !(options.t_max > 0)) return false;
   const PreparedPair<S> pair(a, b, double(options.target_distance));
   if (!pair.moves() || !(pair.radius() > 0)) return false;
@@ -136,6 +138,7 @@ template <Scalar S>
     return true;
   }
   out.outcome = Outcome::hit;
+  toi = proof.toi;
   out.toi_lower = round_down<S>(proof.toi.lower);
   out.toi_upper = round_up<S>(proof.toi.upper);
   const Triple& r = pair.direction();
@@ -164,17 +167,26 @@ void answer_contact(const Body<S>& a, const Body<S>& b, const RoundContact& cont
   out.point_b = round_witness(b, contact, false, t, n).template cast<S>();
 }
 
-// The bodies have passed refusal(), and are not sharp. `out`: of the method that says it.
+// For a start that is passed over, no proof. Under that policy, no claim about a start in contact either.
 template <Scalar S>
-void answer_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
-                       CastResult<S>& out) {
-  RoundGuess guess;
-  if (fast_round_cast(a, b, options, out, guess)) return;
-  RoundSearch<S> search(a, b, double(options.target_distance));
-  if (!search.is_rounded()) {
-    exact_walk_if_flat(a, b, options, out);
-    return;
+void prove_round(RoundSearch<S>& search, const CastOptions<S>& options, const TimeBracket& toi,
+                 CastResult<S>& out) {
+  if (out.passed_over) return;
+  Proof proof;
+  RoundClaims<S> claims(search);
+  if (out.outcome == Outcome::miss) claims.claim_miss(double(options.t_max), proof);
+  if (out.outcome == Outcome::initially_overlapping) claims.claim_start(proof);
+  if (out.outcome == Outcome::hit) {
+    claims.claim_lower(toi.lower, proof);
+    claims.claim_upper(toi, proof);
   }
+  // A number of the proof alone that outgrew its room leaves the answer, and claims nothing.
+  out.proof = search.valid() ? under_policy(proof, options.start_policy) : Proof{};
+}
+
+template <Scalar S>
+void search_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                       RoundSearch<S>& search, RoundGuess guess, TimeBracket& toi, CastResult<S>& out) {
   ++out.counters.exact_decisions;
   std::optional<RoundContact> contact;
   if (!(guess.time > 0)) guess = guess_contact(a, b, options, out.counters);
@@ -194,13 +206,39 @@ void answer_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>&
     if (contact && !(contact->toi.upper <= double(options.t_max))) contact.reset();
     out.outcome = contact ? Outcome::hit : Outcome::miss;
     out.toi_lower = out.toi_upper = kInfinity<S>;
-    if (contact) answer_contact(a, b, *contact, options, out);
+    if (!contact) return;
+    toi = contact->toi;
+    answer_contact(a, b, *contact, options, out);
   }
-  if (search.valid()) return;
-  const Method method = out.method;
-  out = {};
-  out.method = method;
-  refuse_as_too_complex(out);
+}
+
+// The bodies have passed refusal(), and are not sharp. `out`: of the method that says it.
+template <Scalar S>
+void answer_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                       CastResult<S>& out) {
+  const bool wants_proof = asks_for(options.request, Request::proof);
+  RoundGuess guess;
+  TimeBracket toi;
+  const bool is_fast = fast_round_cast(a, b, options, out, guess, toi);
+  if (is_fast && !wants_proof) return;
+  RoundSearch<S> search(a, b, double(options.target_distance));
+  if (!search.is_rounded()) {
+    exact_walk_if_flat(a, b, options, out);
+    return;
+  }
+  if (is_fast) {
+    search.begin_at(guess);
+  } else {
+    search_round_cast(a, b, options, search, guess, toi, out);
+  }
+  if (!search.valid()) {
+    const Method method = out.method;
+    out = {};
+    out.method = method;
+    refuse_as_too_complex(out);
+  } else if (wants_proof) {
+    prove_round(search, options, toi, out);
+  }
 }
 
 }  // namespace exact

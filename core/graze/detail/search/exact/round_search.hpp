@@ -87,18 +87,23 @@ class RoundSearch {
     const int sign = near_->sign_of_f();
     return sign > 0 ? Path::misses : sign < 0 ? Path::enters : Path::grazes;
   }
-  // The first contact, if it is near the guess: f falls from R^2 or above at one double, and is not above R^2 at the
-  // next. Neither the start nor the verdict needs a check then.
-  [[nodiscard]] std::optional<RoundContact> contact_near(const RoundGuess& guess) {
+  // The next search begins with these corners.
+  void begin_at(const RoundGuess& guess) {
     seeds_.clear();
     for (std::size_t i = 0; i < std::size_t(guess.size); ++i)
       seeds_.push_back({guess.corner[i].a, guess.corner[i].b, false});
     if (seeds_.empty()) seeds_ = {Id{}};
+  }
+  // The first contact, if it is near the guess: f falls from R^2 or above at one double, and is not above R^2 at the
+  // next. Neither the start nor the verdict needs a check then.
+  [[nodiscard]] std::optional<RoundContact> contact_near(const RoundGuess& guess) {
+    begin_at(guess);
     double t = guess.time, lower = -kInfinity<double>, upper = kInfinity<double>;
     for (int step = 0; step < kSteps && valid_; ++step) {
       const bool falls = is_falling_at(t);
       const int sign = near_->sign_of_f();
-      if (!valid_ || (sign > 0 && !falls)) return {};
+      // At a graze the double itself may be the time.
+      if (!valid_ || (sign >= 0 && !falls)) return {};
       if (sign == 0 && falls) return contact_in({t, t});
       (sign > 0 ? lower : upper) = t;
       if (next_up(lower) == upper) return contact_in({lower, upper});
@@ -113,11 +118,36 @@ class RoundSearch {
     return path == Path::grazes ? graze() : enter(guess);
   }
 
- private:
+  // ---- what proves an answer (round_claims.hpp) ----
+
+  // A vertex of K - t v, at the later of two times if `late`.
   struct Id {
     std::uint32_t a = 0, b = 0;
     bool late = false;
   };
+  // The vertices whose hull holds the point of K - t v, from <= t <= to, that is nearest to the origin.
+  [[nodiscard]] std::span<const Id> nearest(const Dyadic& from, const Dyadic& to) {
+    settle(from, to, radius_);
+    return near_->corners();
+  }
+  // The sign of f - R^2 at that point, and the sign of w.v.
+  [[nodiscard]] int sign_of_f() const { return near_->sign_of_f(); }
+  [[nodiscard]] int sign_of_rate() const { return -dot(near_->p(), v_).sign(); }
+  // Is the step between two vertices of K along v, or 0?
+  [[nodiscard]] bool is_along_motion(const Id& from, const Id& to) {
+    Exact step = difference(to);
+    step.add(difference(from), true);
+    const Dyadic3 across = cross(step.x, v_);
+    for (const Dyadic& one : across) check(one);
+    return is_zero(across);
+  }
+  // After nearest(t, t) at a contact with w.v = 0: the edge that the path meets first (first_edge()).
+  [[nodiscard]] std::array<Vertex, 2> edge_of_graze() {
+    const FaceEdge edge = first_edge(minus(near_->p()));
+    return {edge.low.name, edge.high.name};
+  }
+
+ private:
   // K - t v for the t between two times.
   struct Points {
     using Id = RoundSearch::Id;
@@ -331,14 +361,40 @@ class RoundSearch {
       take_corners(out);
       return out;
     }
-    // K's face towards w, in its plane: c.v is a time times v.v, and c.u is 0 on the path. First contact: the least c.v
-    // on the hull's cut with c.u = 0, between a point low and one high along u.
+    const auto [low, high] = first_edge(w);
+    const int side_of_low = low.x.x[1].sign(), side_of_high = high.x.x[1].sign();
+    if (side_of_low == 0 || side_of_high == 0) {
+      const GrazeCorner& at = side_of_low == 0 ? low : high;
+      out.corner[0] = at.name;
+      out.size = 1;
+      out.share = {1, 0, 0};
+      out.toi = bracket_of({at.x.x[0], dot(v_, v_) * at.x.weight});
+      return out;
+    }
+    out.corner = {low.name, high.name};
+    const Dyadic before = -low.x.x[1] * high.x.weight, after = high.x.x[1] * low.x.weight;
+    const Dyadic all = before + after;
+    out.size = 2;
+    out.share = {ratio(after, all), ratio(before, all), 0};
+    const ExactTime time{(low.x.x[0] * high.x.x[1]) - (high.x.x[0] * low.x.x[1]), all * dot(v_, v_)};
+    check(time.numerator);
+    check(time.denominator);
+    if (valid_) out.toi = bracket_of(time);
+    return out;
+  }
+  // K's face towards w, in its plane: c.v is a time times v.v, and c.u is 0 on the path. The edge that the path meets
+  // first, from c.u <= 0 to c.u >= 0: no point of the face is before its line. An end on the path is the first contact.
+  // Both ends are one vertex if the whole face is on the path.
+  struct GrazeCorner {
+    Vertex name;
+    Exact x;
+  };
+  struct FaceEdge {
+    GrazeCorner low, high;
+  };
+  [[nodiscard]] FaceEdge first_edge(const Dyadic3& w) {
     const Dyadic3 u = cross(w, v_);
     const std::vector<Flat> of_a = face_of(a_, w, u), of_b = face_of(b_, minus(w), u);
-    struct GrazeCorner {
-      Vertex name;
-      Exact x;
-    };
     const auto corner = [&](const Dyadic3& d, const Dyadic3& d_2) {
       const Flat& a = extreme(of_a, d, d_2);
       const Flat& b = extreme(of_b, minus(d), minus(d_2));
@@ -349,9 +405,7 @@ class RoundSearch {
     const Dyadic one(1), none(0);
     const Dyadic3 early = {-one, none, none};
     GrazeCorner low = corner({none, -one, none}, early), high = corner({none, one, none}, early);
-    if (low.x.x[1].sign() == 0) high = low;
-    if (high.x.x[1].sign() == 0) low = high;
-    while (valid_ && low.x.x[1].sign() < 0) {
+    while (valid_ && low.x.x[1].sign() != high.x.x[1].sign()) {
       // Across the line from low to high, towards earlier.
       Exact e = high.x;
       e.add(low.x, true);
@@ -359,27 +413,10 @@ class RoundSearch {
       const GrazeCorner next = corner(d, early);
       Exact step = next.x;
       step.add(low.x, true);
-      if (check(dot(step.x, d)) <= 0) break;
-      const int side = next.x.x[1].sign();
-      if (side <= 0) low = next;
-      if (side >= 0) high = next;
+      if (check(dot(step.x, d)) <= 0) return {low, high};
+      (next.x.x[1].sign() > 0 ? high : low) = next;
     }
-    out.corner = {low.name, high.name};
-    if (low.x.x[1].sign() == 0) {
-      out.size = 1;
-      out.share = {1, 0, 0};
-      out.toi = bracket_of({low.x.x[0], dot(v_, v_) * low.x.weight});
-      return out;
-    }
-    const Dyadic before = -low.x.x[1] * high.x.weight, after = high.x.x[1] * low.x.weight;
-    const Dyadic all = before + after;
-    out.size = 2;
-    out.share = {ratio(after, all), ratio(before, all), 0};
-    const ExactTime time{(low.x.x[0] * high.x.x[1]) - (high.x.x[0] * low.x.x[1]), all * dot(v_, v_)};
-    check(time.numerator);
-    check(time.denominator);
-    if (valid_) out.toi = bracket_of(time);
-    return out;
+    return {low, low};
   }
 
   // A few are needed, and 54 at a graze, at which each step halves the remainder.
