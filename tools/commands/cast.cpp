@@ -306,10 +306,9 @@ void add_cast_command(CLI::App& app, int& exit_code) {
                    "double (the default) or float: rounds the case, then casts it")
       ->type_name("NAME");
   command
-      ->add_option(
-          "--tier", settings->tier,
-          "standard (the default); certified: a proved bracket; or exact: to the last bit. "
-          "The same as --method certified, --method exact")
+      ->add_option("--tier", settings->tier,
+                   "standard (the default); certified: a proved bracket; or exact: to the last bit. "
+                   "The same as --method certified, --method exact")
       ->type_name("NAME");
   command
       ->add_option(

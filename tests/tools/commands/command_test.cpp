@@ -211,10 +211,12 @@ TEST(Check, AcceptsTheProofsThatCastWrites) {
   folder.write("hit.json", kHit);
   folder.write("miss.json", kMiss);
   for (const std::string scalar : {"double", "float"}) {
-    ASSERT_EQ(folder.graze("cast hit.json miss.json --tier standard --method all --proof proofs.jsonl --scalar " + scalar).exit_code, 0);
+    ASSERT_EQ(folder.graze("cast hit.json miss.json --method all --proof proofs.jsonl --scalar " + scalar)
+                  .exit_code,
+              0);
     const CommandRun check = folder.graze("check proofs.jsonl");
     EXPECT_EQ(check.exit_code, 0) << check.out << check.err;
-    EXPECT_EQ(check.out, "6 accepted, 0 refused\n");
+    EXPECT_EQ(check.out, "10 accepted, 0 refused\n");
   }
 }
 

@@ -1,5 +1,5 @@
 // Prints a hash of the exact tier's verdicts, bounds, normals and contact points, one line for each kind of
-// case. The lines are the same with every compiler and every flag. usage: exact_tier_bits [flush]   (flush:
+// case. The lines are the same with every compiler and every flag. usage: exact_bits [flush]   (flush:
 // subnormals are flushed)
 //
 // The cases must not depend on the flags either: every number of them is an integer times a power of two, and

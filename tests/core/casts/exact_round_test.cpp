@@ -8,7 +8,7 @@
 #include <graze/overlap.hpp>
 #include <graze/swept_overlap.hpp>
 
-#include "tests/core/exact/round_truth.hpp"
+#include "tests/core/casts/round_truth.hpp"
 #include "tests/shared/generate.hpp"
 
 namespace graze {

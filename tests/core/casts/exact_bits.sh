@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The exact tier, built with other compilers and flags, gives the same bits.
-# usage: tier_bits.sh REFERENCE DIRECTORY INCLUDES LAUNCHER COMPILER FLAGS
+# usage: exact_bits.sh REFERENCE DIRECTORY INCLUDES LAUNCHER COMPILER FLAGS
 set -euo pipefail
 reference=$1 directory=$2 includes=$3 launcher=$4 compiler=$5 flags=$6
 here=$(cd "$(dirname "$0")" && pwd)
@@ -8,7 +8,7 @@ mkdir -p "$directory"
 "$reference" >"$directory/expected"
 # Both lists are meant to be split.
 # shellcheck disable=SC2086
-$launcher "$compiler" -std=c++20 $flags $includes -c "$here/tier_bits.cpp" -o "$directory/bits.o"
+$launcher "$compiler" -std=c++20 $flags $includes -c "$here/exact_bits.cpp" -o "$directory/bits.o"
 "$compiler" "$directory/bits.o" -o "$directory/bits"
 if [[ $flags == *-mfma* ]] && ! grep -qw fma /proc/cpuinfo; then
   echo "built; not run: this processor has no fused multiply-add"
