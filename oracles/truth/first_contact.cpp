@@ -105,6 +105,13 @@ Root entry(const HullDistance& polytope, const Integer& radius, const IntVec& v)
   return root;
 }
 
+// The order of t and the root. Outside of the root's interval it needs no comparison, and a double that is beyond the whole
+// contact would have none that tells.
+int order_of(const Rational& t, const Root& root, const CompareTime& compare) {
+  if (t <= root.low) return -1;
+  return t >= root.high ? 1 : compare(t);
+}
+
 }  // namespace
 
 HomogeneousPoint Approach::at(const Rational& t) const {
@@ -165,7 +172,7 @@ Enclosure enclose(const Root& root, const CompareTime& compare) {
   around.high = std::nextafter(around.low, std::numeric_limits<double>::infinity());
   // The interval is far narrower than the spacing of doubles, so at most one of them lies inside it.
   if (std::isinf(around.high)) return around;
-  const int order = compare(Rational(around.high));
+  const int order = order_of(Rational(around.high), root, compare);
   if (order <= 0) around.low = around.high;
   if (order < 0) around.high = std::nextafter(around.high, std::numeric_limits<double>::infinity());
   return around;
@@ -177,8 +184,7 @@ double nearest_double(const Root& root, const CompareTime& compare) {
   if (around.low == around.high) return around.low;
   if (std::isinf(around.low) || std::isinf(around.high)) return nearest_double(root.low);
   const Rational middle = (Rational(around.low) + Rational(around.high)) / 2;
-  const int order = compare(middle);  // of the middle and the root
-  return order > 0 ? around.low : around.high;
+  return order_of(middle, root, compare) > 0 ? around.low : around.high;
 }
 
 }  // namespace graze::oracle
