@@ -132,7 +132,7 @@ TEST(Families, BringHardnessToALevelAndNameTheCaseByIt) {
 bool is_exact(const Family& family) {
   constexpr std::array kOthers = {"curved",           "combinators", "smooth_graze", "far_own_frame",
                                   "mixed_magnitudes", "at_rest",     "coaxial",      "rods_and_round",
-                                  "smooth_depths",    "rays"};
+                                  "smooth_depths",    "rays",        "round_ties"};
   return std::find(kOthers.begin(), kOthers.end(), family.name) == kOthers.end();
 }
 

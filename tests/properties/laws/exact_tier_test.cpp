@@ -57,7 +57,7 @@ class Judging {
       if (judgement.by_oracle) ++counts_["by oracle"];
       if (judgement.answer.counters.exact_decisions > 0) ++counts_["near a tie"];
       std::string fault = judgement.fault;
-      if (fault.empty() && casts_ % 1000 == 1) fault = fault_by_program(seen, judgement.answer);
+      if (fault.empty() && casts_ % 500 == 1) fault = fault_by_program(seen, judgement.answer);
       if (!fault.empty()) {
         ADD_FAILURE() << name << ": " << fault << "\n"
                       << describe(judgement.answer) << "\n"
