@@ -419,5 +419,18 @@ TEST(ExactRounds, TheTargetDistanceDoesNotCountForLeaving) {
   EXPECT_EQ(passes(Sphere<double>{0.25}, {1, 0, -1}), 0);
 }
 
+// A sphere of radius 3 passes an end of a segment at (2, -2, 1), across its motion: the time is 3. The search begins at
+// that double.
+TEST(ExactRounds, AGrazeAtTheDoubleThatTheSearchBeginsAtIsThatDouble) {
+  const Body<double> a{.shape = Segment<double>{{2, 3, 0}, {-118, 15, 264}}};
+  const Body<double> b{.shape = Rounded<double>{share<double>(Point<double>{}), 3},
+                       .position = {184, 217, 73},
+                       .displacement = {-60, -72, -24}};
+  const CastResult<double> result = cast(a, b, {.tier = Tier::exact, .t_max = 3});
+  ASSERT_EQ(result.outcome, Outcome::hit);
+  EXPECT_EQ(result.toi_lower, 3);
+  EXPECT_EQ(result.toi_upper, 3);
+}
+
 }  // namespace
 }  // namespace graze
