@@ -6,6 +6,7 @@
 // The scene is rotated by an integer quaternion q, with every length times |q|^2: the tie stays exact. Where the
 // direction has a component 0, the nearest points are on an edge or a face, at times at its end, which is a boundary of
 // Voronoi regions. Contact is at the start, on the path, or at t_max, which may be the double before it.
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"
