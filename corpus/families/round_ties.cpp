@@ -153,7 +153,7 @@ const Family family::round_ties{
         "-n: a radius is n units in the last place (2^-23 or 2^-52 of it) too large or small; 0 touches",
     .levels = kRoundTieLevels,
     .fill = fill_round_ties,
-    .picture = {-8, 4},
+    .picture = {0, 32},
 };
 
 }  // namespace graze::corpus
