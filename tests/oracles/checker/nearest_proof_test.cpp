@@ -60,7 +60,7 @@ Proof only_lower(Proof proof) {
 
 // The same, A's box as a rounded one, with its share of the radius: shapes that the checker reads as trees.
 Case as_tree(Case c) {
-  c.a.shape = Rounded<double>{share<double>(Posed<double>{share<double>(c.a.shape), {}, {}}), 2};
+  c.a.shape = Rounded<double>{share<double>(Posed<double>{.shape = share<double>(c.a.shape)}), 2};
   c.b.shape = Sphere<double>{2};
   c.target_distance = 1;
   return c;
