@@ -16,7 +16,7 @@ constexpr const char* kCurvedRods =
 constexpr OutOfReach kOutOfReach[] = {
     {"ray_is_point_cast", "",
      "hulls_rotated target_margin noisy_copy smooth_graze combinators mixed_magnitudes coaxial "
-     "rods_and_round smooth_depths",
+     "rods_and_round smooth_depths round_ties",
      "the differences of turned, noisy, rounded and many vertices, and of nested parts, are no doubles"},
     {"turning", "", "slivers far_own_frame",
      "what is added to the last bits, or lies far out, leaves no room for the products of a rational turn"},

@@ -24,7 +24,7 @@ namespace {
 constexpr std::uint64_t kSeeds = 24;
 
 TEST(Families, AreFoundByName) {
-  EXPECT_EQ(families().size(), 39u);
+  EXPECT_EQ(families().size(), 40u);
   for (const Family& family : families()) EXPECT_EQ(find_family(family.name), &family);
   EXPECT_EQ(find_family("no such family"), nullptr);
 }
@@ -75,6 +75,7 @@ TEST(Families, AreTheSameBitsEverywhere) {
       {"rods_and_round", 0xc89bbc86f5f7f328u},
       {"smooth_depths", 0xb17fafe3b63711bu},
       {"rays", 0xcd81db93c0f20c0du},
+      {"round_ties", 0xd12f1324da33dc2au},
       {"spinning_graze", 0xfd73f8f495788929u},
       {"fast_spin", 0x703f147157289fb1u},
       {"off_centre_pivot", 0xe0d8d30c5ad0c4a3u},

