@@ -227,16 +227,29 @@ class Document {
     const oracle::Verdict verdict = oracle::check_proof(problem_, proof);
     const Vec velocity = problem_.b.displacement.cast<Real>() - problem_.a.displacement.cast<Real>();
     const Pose a = at(false, 0), b = at(true, 0);
-    Json portal = Json::array();
+    const Vec axis = axis_of(proof, problem_.a.shape, a, problem_.b.shape, b, velocity);
+    std::vector<Vec> corners;
     for (int k = 0; k < proof.portal_size; ++k)
-      portal.push_back(triple(difference_of(proof.portal[static_cast<std::size_t>(k)], problem_.a.shape, a,
-                                            problem_.b.shape, b)));
+      corners.push_back(
+          difference_of(proof.portal[static_cast<std::size_t>(k)], problem_.a.shape, a, problem_.b.shape, b));
+    // Corners of the cores are shown on C, along the axis from where they are.
+    if (proof.of_cores && proof.has_axis && !corners.empty()) {
+      const Vec top =
+          a.position + a.rotation * draw::support_point(problem_.a.shape, a.rotation.transpose() * axis) -
+          (b.position + b.rotation * draw::support_point(problem_.b.shape, -(b.rotation.transpose() * axis)));
+      Real highest = axis.dot(corners.front());
+      for (const Vec& corner : corners) highest = std::max(highest, axis.dot(corner));
+      const Real lift = axis.dot(top) + Real(problem_.target_distance) - highest;
+      for (Vec& corner : corners) corner += lift * axis;
+    }
+    Json portal = Json::array();
+    for (const Vec& corner : corners) portal.push_back(triple(corner));
     return {{"kind", "linear"},
             {"by", method.full_name()},
             {"accepted", verdict.accepted()},
             {"refusal", verdict.detail},
             {"claims", interval(proof.toi_lower, proof.toi_upper)},
-            {"axis", triple(axis_of(proof, problem_.a.shape, a, problem_.b.shape, b, velocity))},
+            {"axis", triple(axis)},
             {"symbolic", proof.symbolic},
             {"portal", portal}};
   }
