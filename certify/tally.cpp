@@ -111,12 +111,15 @@ std::string declines(const Tally& total) {
 
 bool is_made_of_ties(const std::string& family) {
   // Each has a level at which touching, or a pass by less than the width, is the question.
-  constexpr std::array<std::string_view, 17> kFamilies = {
-      "touching",     "sliding",          "target_margin",    "scaled_scene",
-      "smooth_graze", "mixed_magnitudes", "spinning_graze",   "pure_spin",
-      "long_arms",    "swung_balls",      "at_rest",          "wheels",
-      "level_tiles",  "rolling",          "sliding_on_tiles", "flat_plates_turning",
-      "smooth_depths"};
+  constexpr std::array<std::string_view, 18> kFamilies = {"touching",         "sliding",
+                                                          "target_margin",    "scaled_scene",
+                                                          "smooth_graze",     "mixed_magnitudes",
+                                                          "spinning_graze",   "pure_spin",
+                                                          "long_arms",        "swung_balls",
+                                                          "at_rest",          "wheels",
+                                                          "level_tiles",      "rolling",
+                                                          "sliding_on_tiles", "flat_plates_turning",
+                                                          "smooth_depths",    "rays"};
   return std::find(kFamilies.begin(), kFamilies.end(), family) != kFamilies.end();
 }
 

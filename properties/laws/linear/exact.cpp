@@ -114,7 +114,9 @@ ExactJudgement judge_exact(const Case& seen, const Method& method, bool ask_orac
   judgement.answer = method.ask(seen, {.request = Request::proof});
   const ExactFinding finding = judge_exact_by_proof(seen, judgement.answer, in_float);
   judgement.fault = finding.fault;
-  if (!judgement.fault.empty() || (finding.settled && !ask_oracle)) return judgement;
+  // A contact at the end of the path is a tie that few cases have, so the oracle decides each.
+  const bool is_at_the_end = judgement.answer.toi_upper == seen.t_max;
+  if (!judgement.fault.empty() || (finding.settled && !ask_oracle && !is_at_the_end)) return judgement;
   if (!is_exactly_decided(seen) || !has_truth(seen)) return judgement;
   judgement.by_oracle = true;
   judgement.fault = exact_fault_by_truth(truth_of(seen), judgement.answer, in_float);
