@@ -8,6 +8,7 @@
 #include <string>
 #include <system_error>
 
+#include "engines/system/system.hpp"
 #include "reports/text/inputs.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/corpus.hpp"
@@ -114,15 +115,15 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  graze::tool::secure_standard_streams();
+  graze::system::secure_standard_streams();
   try {
     const int exit_code = run(argc, argv);
     graze::tool::close_standard_output();
     return exit_code;
   } catch (const graze::tool::ReaderGone&) {
-    return graze::tool::end_as_by_sigpipe();
+    return graze::system::end_as_by_sigpipe();
   } catch (const std::system_error& error) {
-    if (graze::tool::is_reader_gone()) return graze::tool::end_as_by_sigpipe();
+    if (graze::tool::is_reader_gone()) return graze::system::end_as_by_sigpipe();
     // fmt::print does not say which file it could not write.
     graze::tool::complain(std::ferror(stdout) == 0 ? error.what()
                                                    : "standard output: could not be written to its end: " +

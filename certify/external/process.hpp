@@ -1,11 +1,7 @@
 // Runs a third-party program in a process of its own: starts it, asks it a line, and ends it, under a limit
 // of time and memory, whatever the program does.
-//
-// It leads a process group and carries a mark in its environment. The mark finds the processes that it left
-// behind, even outside the group, so that they can be ended. The last part of its standard error is kept.
+// The last part of its standard error is kept.
 #pragma once
-
-#include <sys/types.h>
 
 #include <chrono>
 #include <cstdint>
@@ -13,6 +9,7 @@
 #include <vector>
 
 #include "engines/method.hpp"
+#include "engines/system/system.hpp"
 
 namespace graze::external {
 
@@ -35,9 +32,6 @@ class Process {
   // its arguments. Throws std::runtime_error if no process can be made. If the file cannot be run, the first
   // line reports it.
   Process(const std::vector<std::string>& command, const ProcessLimits& limits);
-  ~Process();  // ends it
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
 
   // The next line of its output, within the time limit. After a failure the process is ended, and later calls
   // fail too.
@@ -57,21 +51,13 @@ class Process {
   Line read_reply(std::chrono::milliseconds limit, std::size_t size);
   [[nodiscard]] Line failed(engine::Failure failure, std::string what);
   [[nodiscard]] Line ended(bool within_line);
-  bool write_some();
+  void write_some();
   bool read_rest();
   void read_errors();
-  void end(int signal);
-  void has_ended();
-  int end_others() const;
 
   ProcessLimits limits_;
-  std::string mark_;
-  pid_t pid_ = -1;
-  int in_ = -1, out_ = -1, err_ = -1, life_ = -1;
-  long memory_at_start_ = 0;  // kilobytes that were ours, not the engine's
-  std::vector<char> buffer_;
   std::string to_write_, read_, errors_;
-  bool is_ended_ = false;
+  system::Child child_;  // it ends with the object
 };
 
 }  // namespace graze::external

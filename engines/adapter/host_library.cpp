@@ -1,7 +1,5 @@
 #include "host_library.hpp"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -13,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "engines/system/system.hpp"
 #include "graze_adapter.hpp"
 #include "graze_engine.h"
 #include "host_frames.hpp"
@@ -42,14 +41,13 @@ struct Library {
 
 template <class Function>
 void find(void* handle, const std::string& name, Function& out) {
-  out = reinterpret_cast<Function>(dlsym(handle, ("graze_engine_" + name).c_str()));
+  out = reinterpret_cast<Function>(system::find_function(handle, "graze_engine_" + name));
 }
 
 Library open(const char* file) {
-  void* handle = dlopen(file, RTLD_NOW | RTLD_LOCAL);
-  // dlopen seeks a name without a slash in the library path and not in the current folder.
-  if (handle == nullptr) handle = dlopen(("./" + std::string(file)).c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (handle == nullptr) refuse(dlerror());
+  std::string why;
+  void* const handle = system::open_library(file, why);
+  if (handle == nullptr) refuse(why);
   Library out;
   find(handle, "describe", out.describe);
   find(handle, "begin", out.begin);

@@ -1,19 +1,16 @@
 #include "reports/text/outputs.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
+
+#include "engines/system/system.hpp"
 
 namespace graze::tool {
 namespace {
@@ -172,15 +169,6 @@ void OutputFile::close_what_is_written() {
   file_.close();
 }
 
-void secure_standard_streams() {
-  // Each opened the wrong way round, so that to read or to write it fails as it would have.
-  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (fcntl(descriptor, F_GETFD) != -1) continue;
-    if (open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) != descriptor) std::abort();
-  }
-  std::signal(SIGPIPE, SIG_IGN);
-}
-
 void close_standard_output() {
   errno = 0;
   std::cout.flush();
@@ -191,14 +179,7 @@ void close_standard_output() {
 
 bool is_reader_gone() {
   if (std::ferror(stdout) == 0 && std::cout) return false;
-  pollfd out{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
-  return poll(&out, 1, 0) == 1 && (out.revents & POLLERR) != 0;
-}
-
-int end_as_by_sigpipe() {
-  std::signal(SIGPIPE, SIG_DFL);
-  std::raise(SIGPIPE);
-  return 128 + SIGPIPE;  // reached if the signal is blocked
+  return system::is_stdout_closed();
 }
 
 }  // namespace graze::tool

@@ -49,18 +49,10 @@ struct ReaderGone : std::runtime_error {
   ReaderGone() : std::runtime_error("the reader of an output has closed it") {}
 };
 
-// Call this before anything is opened. A file then never receives a descriptor 0, 1 or 2 that the caller closed. A pipe
-// that nobody reads becomes a write error, so that the run can clean up.
-void secure_standard_streams();
-
 // At the end of a run: throws if standard output could not be written to its end, ReaderGone or std::runtime_error.
 void close_standard_output();
 
 // Has a write to standard output failed because nobody reads it any more?
 [[nodiscard]] bool is_reader_gone();
-
-// Ends the process as the signal SIGPIPE ends other tools: silently, and a shell shows 141. Returns that value only if
-// the signal is blocked.
-[[nodiscard]] int end_as_by_sigpipe();
 
 }  // namespace graze::tool

@@ -1,12 +1,13 @@
 #include "reports/text/progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdio>
+
+#include "engines/system/system.hpp"
 
 namespace graze::tool {
 namespace {
@@ -37,7 +38,7 @@ Progress::Progress(std::string label, std::uint64_t total, std::uint64_t before,
       total_(total),
       before_(before),
       done_(before),
-      on_terminal_(isatty(STDERR_FILENO) != 0) {}
+      on_terminal_(system::is_stderr_a_terminal()) {}
 
 Progress::~Progress() { wipe(); }
 

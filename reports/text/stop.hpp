@@ -1,6 +1,8 @@
 // Ends a long command in order when a stop is requested: it keeps and shows its results so far.
 #pragma once
 
+#include "engines/system/system.hpp"
+
 namespace graze::tool {
 
 // While it lives, SIGINT and SIGTERM request a stop, and a line on stderr says so. One request may come as several
@@ -8,13 +10,13 @@ namespace graze::tool {
 // the same request. A later signal ends the program at once.
 class StopBySignal {
  public:
-  StopBySignal();
-  ~StopBySignal();
+  StopBySignal() { system::accept_stop_requests(); }
+  ~StopBySignal() { system::end_stop_requests(); }
   StopBySignal(const StopBySignal&) = delete;
   StopBySignal& operator=(const StopBySignal&) = delete;
 
   // The number of the signal that came, or 0.
-  [[nodiscard]] static int received();
+  [[nodiscard]] static int received() { return system::stop_request(); }
 };
 
 }  // namespace graze::tool

@@ -1,6 +1,5 @@
 // graze campaign: millions of generated casts, each judged. docs/howto/campaign.md.
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <charconv>
@@ -18,6 +17,7 @@
 #include "certify/campaign/summary.hpp"
 #include "corpus/families.hpp"
 #include "corpus/workloads.hpp"
+#include "engines/system/system.hpp"
 #include "reports/text/inputs.hpp"
 #include "reports/text/outputs.hpp"
 #include "reports/text/stop.hpp"
@@ -139,15 +139,12 @@ CampaignState initial_state(const CampaignArguments& arguments, const CampaignSt
 
 // Prints the results that depend on the machine and the hour, beside the summary.
 void print_cost(std::uint64_t casts, double seconds, unsigned threads) {
-  rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
-  const double processor = static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
-                           1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+  const system::Usage usage = system::own_usage();
   fmt::print(stderr,
              "{} casts in {:.1f} s: {:.0f} a second on {} thread{}; {:.1f} s of processor time; at most {} "
              "MiB of memory\n",
              casts, seconds, static_cast<double>(casts) / std::max(seconds, 1e-9), threads,
-             threads == 1 ? "" : "s", processor, usage.ru_maxrss / 1024);
+             threads == 1 ? "" : "s", usage.seconds, usage.memory / 1024);
 }
 
 int stopped_by(int signal, const CampaignState& state, const std::string& file) {
