@@ -76,4 +76,4 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/cmake/graze-config-versio
                                  COMPATIBILITY SameMajorVersion ${any_architecture})
 install(FILES ${PROJECT_BINARY_DIR}/cmake/graze-config.cmake ${PROJECT_BINARY_DIR}/cmake/graze-config-version.cmake
         DESTINATION ${package_directory})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)

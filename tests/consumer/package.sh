@@ -9,12 +9,8 @@ for tool in dpkg-deb dpkg-shlibdeps c++ python3; do
 done
 made="$scratch/package" root="$scratch/root"
 rm -rf "$made" "$root" "$root-made"
-# What is installed is packed. (cpack by itself would first build all there is.)
-staged="$scratch/staged"
-rm -rf "$staged"
-"$cmake" --install "$2" --prefix "$staged" >"$scratch/cpack.log"
-"${cmake%cmake}cpack" -G DEB -B "$made" --config "$2/CPackConfig.cmake" -D CPACK_INSTALL_CMAKE_PROJECTS= \
-  -D "CPACK_INSTALLED_DIRECTORIES=$staged;/usr" >>"$scratch/cpack.log" 2>&1 || { cat "$scratch/cpack.log"; exit 1; }
+"${cmake%cmake}cpack" -B "$made" --config "$2/CPackConfig.cmake" -D CPACK_COMPONENTS_ALL=command >"$scratch/cpack.log" 2>&1 ||
+  { cat "$scratch/cpack.log"; exit 1; }
 package=$(echo "$made"/graze_*.deb)
 dpkg-deb --info "$package" >"$scratch/info"
 for words in "Package: graze" "Depends:.*libc6" "MIT" "GPL, version 3"; do
@@ -24,7 +20,7 @@ dpkg-deb -x "$package" "$root-made"
 mv "$root-made" "$root"
 usr="$root/usr"
 fail() { echo "$1"; exit 1; }
-[[ $("$usr/bin/graze" --version) == "graze $(dpkg-deb -f "$package" Version)" ]] || fail "graze --version is not the package's"
+[[ $("$usr/bin/graze" --version)-1 == "graze $(dpkg-deb -f "$package" Version)" ]] || fail "graze --version is not the package's"
 for file in share/doc/graze/copyright share/graze/templates/engine.c share/graze/schemas share/graze/corpus/flags.json \
   include/graze_adapter.hpp include/graze_engine.h; do
   [[ -e $usr/$file ]] || fail "the package lacks $file"
