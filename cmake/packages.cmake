@@ -22,8 +22,8 @@ set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "libgraze-dev, cmake")
 set(CPACK_DEBIAN_COMMAND_DESCRIPTION "The command judges casts: graze's methods, or the engine of somebody else.
-Its own files are MIT. It links CGAL, so it is passed on under the GPL, version 3
-or later.")
+Its own files are MIT. It links CGAL, so it is passed on under the
+GPL, version 3 or later.")
 
 # The format of a copyright file: a blank before each line, and a dot in an empty one.
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE license)
@@ -63,7 +63,10 @@ foreach(component IN ITEMS library command)
 
  -- ${CPACK_PACKAGE_CONTACT} <>  ${date}
 ")
-  file(WRITE ${made}/overrides "# Reports go to the repository. There is no address yet.\n${package}: malformed-contact\n")
+  file(WRITE ${made}/overrides "# Reports go to the repository. There is no address yet.
+${package}: malformed-contact
+${package}: bogus-mail-host-in-debian-changelog
+")
   install(CODE "execute_process(COMMAND gzip -9nfk ${made}/changelog.Debian)" COMPONENT ${component} EXCLUDE_FROM_ALL)
   install(FILES ${made}/changelog.Debian.gz DESTINATION share/doc/${package} COMPONENT ${component}
           EXCLUDE_FROM_ALL)
