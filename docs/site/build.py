@@ -33,7 +33,9 @@ def run(command, **more):
 
 
 def headers():
-    return [path for folder in PUBLIC_HEADERS for path in sorted((SOURCE / folder).glob("*.hpp"))]
+    """The public headers. Others in their folders do not describe themselves as files."""
+    found = [path for folder in PUBLIC_HEADERS for path in sorted((SOURCE / folder).glob("*.hpp"))]
+    return [path for path in found if "/// @file" in path.read_text()]
 
 
 def api_page(header):
@@ -47,7 +49,7 @@ def place(target, pages):
     if relative in ROOT_PAGES:
         return ROOT_PAGES[relative]
     if relative.startswith("docs/"):
-        return relative[len("docs/"):]
+        return "api/index.html" if target == SITE / "api.md" else relative[len("docs/"):]
     if target in headers():
         return api_page(target)
     if target.is_dir():
@@ -118,7 +120,8 @@ def make_api(pages, work):
     run(["doxygen", "-l", work / "layout.xml"])
     layout = (work / "layout.xml").read_text()
     back = '<navindex>\n    <tab type="user" visible="yes" url="../index.html" title="Manual"/>'
-    (work / "layout.xml").write_text(layout.replace("<navindex>", back, 1))
+    layout = layout.replace("<navindex>", back, 1).replace('<tab type="mainpage" visible="yes" title=""', '<tab type="mainpage" visible="yes" title="API"')
+    (work / "layout.xml").write_text(layout)
     given += f"LAYOUT_FILE = {work / 'layout.xml'}\n"
     (work / "Doxyfile").write_text(given)
     run(["doxygen", work / "Doxyfile"], cwd=work)
