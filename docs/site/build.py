@@ -130,9 +130,10 @@ def make_api(pages, work):
 def make_live(graze, pages):
     """A case, a report and scenes, as the command writes them."""
     live = pages / "live"
-    pair = SOURCE / "tests/reports/viewer/pair.json"
-    run([graze, "show", pair, "--method", "mpr/float", "--answers", SOURCE / "tests/reports/viewer/pair_answers.jsonl", "--out", live / "case.html"])
-    run([graze, "scene", *(SOURCE / "examples/scenes" / f"{name}.json" for name in ("fan", "crowd")), "--report", live / "scene"])
+    # From the sources' folder: a page shows the command that made it.
+    run([graze, "show", "tests/reports/viewer/pair.json", "--method", "mpr/float", "--answers", "tests/reports/viewer/pair_answers.jsonl",
+         "--out", live / "case.html"], cwd=SOURCE)
+    run([graze, "scene", *(f"examples/scenes/{name}.json" for name in ("fan", "crowd")), "--report", live / "scene"], cwd=SOURCE)
     run([graze, "certify", "--family", "random", "--family", "slow_spin", "--count", "6", "--rotating", "2", "--queries", "4",
          "--report-cases", "4", "--report", live / "report"])
 
