@@ -116,6 +116,7 @@ def make_api(pages, work):
     given += f"USE_MDFILE_AS_MAINPAGE = {SITE / 'api.md'}\nEXAMPLE_PATH = {SOURCE / 'examples'}\n"
     given += f"INPUT = {SITE / 'api.md'} {' '.join(map(str, headers()))}\n"
     given += "".join(f"{key} = {SOURCE / 'core'} {SOURCE / 'scene'}\n" for key in ("STRIP_FROM_PATH", "STRIP_FROM_INC_PATH"))
+    given += f"STRIP_FROM_PATH += {SOURCE}\n"  # of the folder of the API's first page
     # A tab that leads back to the manual.
     run(["doxygen", "-l", work / "layout.xml"])
     layout = (work / "layout.xml").read_text()
