@@ -2,15 +2,17 @@
 /// Casts: when do two linearly moving convex shapes first touch? Rays too, as a ray is the cast of a Point.
 ///
 /// The time of impact (TOI) is the least t in [0, t_max] at which A + t v_A and B + t v_B are in contact, if there is
-/// one. Touching counts. CastOptions::tier decides the guarantee of the answer:
+/// one. The v are the displacements, and t_max is 1 by default. Touching counts. The tier of CastOptions decides the
+/// guarantee of the answer:
 ///
-/// - *standard*, for all shapes: the answer is true for some convex set within kappa u scale of C = A - B. u is the
-///   unit roundoff, and scale the size of the scene. The table of guarantees has kappa for each method.
+/// - *standard*, the default, for all shapes: the answer is true for some convex set within kappa u scale of the
+///   difference C = A - B, with kappa = 64. By more than that, it is never late and no verdict is wrong. u is the unit
+///   roundoff of S. scale is the size of the larger body, or the distance of the two if that is more.
 /// - *certified*, for all shapes: toi_lower <= TOI <= toi_upper for the true shapes, rounding included. The bracket
-///   is at most kLinearCertifiedWidth of scale wide.
+///   is at most kLinearCertifiedWidth of scale wide. Choose it if no contact may be missed.
 /// - *exact*, for points, segments, triangles, boxes, hulls, spheres, capsules, and what posed(), rounded(), sum() and
-///   swept() make of them, at any target distance: the TOI of the true shapes, correctly rounded. `toi_lower` is the largest S not above
-///   it, and `toi_upper` the least not below it.
+///   swept() make of them, at any target distance: the TOI of the true shapes, correctly rounded. `toi_lower` is the
+///   largest S not above it, and `toi_upper` the least not below it. Choose it for the verdict of ties.
 #pragma once
 
 #include <graze/body.hpp>

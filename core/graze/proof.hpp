@@ -90,6 +90,14 @@ struct NearestAxis {
 /// The proof of a linear cast: what it claims, and what the claims rest on. CastResult::proof holds it, if requested.
 ///
 /// `graze cast --proof` writes it to a file, and `graze check` verifies it.
+///
+/// @code
+/// const graze::Body<double> wall{.shape = graze::Box<double>{{1, 5, 5}}, .position = {10, 0, 0}};
+/// const graze::Body<double> ball{.shape = graze::Sphere<double>{1}, .displacement = {20, 0, 0}};
+/// const graze::CastResult<double> r =
+///     graze::cast(wall, ball, {.tier = graze::Tier::exact, .request = graze::Request::proof});
+/// assert(r.proof && r.proof->toi_lower <= 0.4 && 0.4 <= r.proof->toi_upper);
+/// @endcode
 struct Proof {
   /// The claim TOI >= toi_lower. Infinity claims a miss. 0 claims nothing and needs no axis.
   double toi_lower = 0;

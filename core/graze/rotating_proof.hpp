@@ -62,6 +62,17 @@ inline constexpr std::size_t kContactPairs = 6;
 
 /// The proof of a rotating cast: what it claims, and what the claims rest on. RotatingResult::proof holds it, if
 /// requested.
+///
+/// @code
+/// // A blade of half length 2 rotates by half a turn beside a post that it does not reach.
+/// const graze::RotatingBody<double> blade{
+///     .body = {.shape = graze::Box<double>{{2, 0.1, 0.1}}}, .rotation = {0, 0, 3.14}};
+/// const graze::RotatingBody<double> post{
+///     .body = {.shape = graze::Cylinder<double>{0.1, 5}, .position = {0, 2.5, 0}}};
+/// const graze::RotatingResult<double> r =
+///     graze::cast(blade, post, {.tier = graze::Tier::certified, .request = graze::Request::proof});
+/// assert(r.outcome == graze::Outcome::miss && r.proof && r.proof->toi_lower == graze::kInfinity<double>);
+/// @endcode
 struct RotatingProof {
   /// The claim TOI >= toi_lower. Infinity claims a miss: no contact in [0, t_max]. 0 claims nothing.
   double toi_lower = 0;

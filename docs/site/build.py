@@ -33,7 +33,9 @@ def run(command, **more):
 
 
 def headers():
-    return [path for folder in PUBLIC_HEADERS for path in sorted((SOURCE / folder).glob("*.hpp"))]
+    """The public headers. Others in their folders do not describe themselves as files."""
+    found = [path for folder in PUBLIC_HEADERS for path in sorted((SOURCE / folder).glob("*.hpp"))]
+    return [path for path in found if "/// @file" in path.read_text()]
 
 
 def api_page(header):
@@ -47,7 +49,7 @@ def place(target, pages):
     if relative in ROOT_PAGES:
         return ROOT_PAGES[relative]
     if relative.startswith("docs/"):
-        return relative[len("docs/"):]
+        return "api/index.html" if target == SITE / "api.md" else relative[len("docs/"):]
     if target in headers():
         return api_page(target)
     if target.is_dir():
@@ -114,11 +116,13 @@ def make_api(pages, work):
     given += f"USE_MDFILE_AS_MAINPAGE = {SITE / 'api.md'}\nEXAMPLE_PATH = {SOURCE / 'examples'}\n"
     given += f"INPUT = {SITE / 'api.md'} {' '.join(map(str, headers()))}\n"
     given += "".join(f"{key} = {SOURCE / 'core'} {SOURCE / 'scene'}\n" for key in ("STRIP_FROM_PATH", "STRIP_FROM_INC_PATH"))
+    given += f"STRIP_FROM_PATH += {SOURCE}\n"  # of the folder of the API's first page
     # A tab that leads back to the manual.
     run(["doxygen", "-l", work / "layout.xml"])
     layout = (work / "layout.xml").read_text()
     back = '<navindex>\n    <tab type="user" visible="yes" url="../index.html" title="Manual"/>'
-    (work / "layout.xml").write_text(layout.replace("<navindex>", back, 1))
+    layout = layout.replace("<navindex>", back, 1).replace('<tab type="mainpage" visible="yes" title=""', '<tab type="mainpage" visible="yes" title="API"')
+    (work / "layout.xml").write_text(layout)
     given += f"LAYOUT_FILE = {work / 'layout.xml'}\n"
     (work / "Doxyfile").write_text(given)
     run(["doxygen", work / "Doxyfile"], cwd=work)
@@ -127,9 +131,10 @@ def make_api(pages, work):
 def make_live(graze, pages):
     """A case, a report and scenes, as the command writes them."""
     live = pages / "live"
-    pair = SOURCE / "tests/reports/viewer/pair.json"
-    run([graze, "show", pair, "--method", "mpr/float", "--answers", SOURCE / "tests/reports/viewer/pair_answers.jsonl", "--out", live / "case.html"])
-    run([graze, "scene", *(SOURCE / "examples/scenes" / f"{name}.json" for name in ("fan", "crowd")), "--report", live / "scene"])
+    # From the sources' folder: a page shows the command that made it.
+    run([graze, "show", "tests/reports/viewer/pair.json", "--method", "mpr/float", "--answers", "tests/reports/viewer/pair_answers.jsonl",
+         "--out", live / "case.html"], cwd=SOURCE)
+    run([graze, "scene", *(f"examples/scenes/{name}.json" for name in ("fan", "crowd")), "--report", live / "scene"], cwd=SOURCE)
     run([graze, "certify", "--family", "random", "--family", "slow_spin", "--count", "6", "--rotating", "2", "--queries", "4",
          "--report-cases", "4", "--report", live / "report"])
 
