@@ -2,6 +2,7 @@
 // objects are interfaces without an implementation). Its callback uses continuousCollide by conservative advancement,
 // or collide for two bodies at rest.
 #include <fcl/fcl.h>
+#include <Eigen/Geometry>
 
 #include "bench/scene_peers.hpp"
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <graze/detail/numeric/products.hpp>
 #include <graze/linkage.hpp>
 #include <limits>
 
@@ -42,11 +43,11 @@ inline constexpr S kInfinity = std::numeric_limits<S>::infinity();
 /// 2^e, also where it is subnormal, 0 or infinite.
 [[nodiscard]] inline double power_of_two(int e) {
   if (e < -1022 || e > 1023) return std::ldexp(1.0, e);
-  return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
+  return detail::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
 }
 /// floor(log2 |x|) for a finite x != 0.
 [[nodiscard]] inline int exponent_of(double x) {
-  const int biased = static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff);
+  const int biased = static_cast<int>(detail::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff);
   return biased == 0 ? std::ilogb(x) : biased - 1023;
 }
 
@@ -54,7 +55,7 @@ inline constexpr S kInfinity = std::numeric_limits<S>::infinity();
 template <Scalar S>
 [[nodiscard]] inline bool is_flushed(S x) {
   using Bits = std::conditional_t<sizeof(S) == 8, std::uint64_t, std::uint32_t>;
-  return x == 0 && static_cast<Bits>(std::bit_cast<Bits>(x) << 1) != 0;
+  return x == 0 && static_cast<Bits>(detail::bit_cast<Bits>(x) << 1) != 0;
 }
 
 /// The direction n / |n| of a finite n, or 0 for n = 0. n is scaled first, so no square vanishes or overflows.
@@ -63,7 +64,7 @@ Vec3<S> unit(const Vec3<S>& n) {
   const S most = n.cwiseAbs().maxCoeff();
   if (!(most > 0)) return Vec3<S>::Zero();
   const Vec3<S> scaled = n / most;
-  return scaled / scaled.norm();
+  return scaled / detail::norm(scaled);
 }
 
 /// An orientation: the rotation x -> q x conj(q) / |q|^2 for any q = (w, x, y, z) other than 0.

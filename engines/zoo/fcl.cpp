@@ -23,6 +23,7 @@
 // Boxes and cylinders take full lengths. Contact normals point from the first object to the second. Times run from 0 to
 // 1 over the motion. A cast gives no normal.
 #include <fcl/fcl.h>
+#include <Eigen/Geometry>
 #include <graze_adapter.hpp>
 
 #include <map>

@@ -29,8 +29,8 @@
 // sizes and the distance.
 #include "apart.hpp"
 
-#include <Eigen/Geometry>
 #include <graze/detail/rotating/mobility.hpp>
+#include <graze/detail/rotating/turn.hpp>
 #include <graze/detail/search/robust/gjk.hpp>
 
 #include <algorithm>
@@ -58,10 +58,10 @@ StepBody::StepBody(const RotatingBody<double>& moving, const StepLimits& limits)
   const Vec3<double> middle = bounds.center + bounds.middle;
   const Vec3<double> arm = bounds.center - moving.pivot, position = unit * body.position,
                      way = unit * limits.t_end * body.displacement;
-  rate = w.norm() * kUp;
+  rate = detail::norm(w) * kUp;
   radius = side.radius;
-  const double core = bounds.half.norm() + detail::beyond_bounds(body.shape, bounds);
-  rho = unit * ((middle - moving.pivot).norm() + core) * kUp;
+  const double core = detail::norm(bounds.half) + detail::beyond_bounds(body.shape, bounds);
+  rho = unit * (detail::norm(middle - moving.pivot) + core) * kUp;
   size = 2 * (unit * core + 2 * radius) * kUp;
   const double angle = rate * limits.t_end;
   turns = angle > 0;
@@ -87,18 +87,14 @@ StepBody::StepBody(const RotatingBody<double>& moving, const StepLimits& limits)
       turns = false;
       is_ball = true;
     } else {
-      const Quaternion<double>& q = body.orientation;
-      const double most = std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)});
-      const Eigen::Quaterniond before =
-          Eigen::Quaterniond(q.w / most, q.x / most, q.y / most, q.z / most).normalized();
-      const Eigen::Quaterniond after = Eigen::AngleAxisd(limits.t_end * w.norm(), w.normalized()) * before;
-      rotation[1] = detail::rotation_matrix(Quaternion<double>{after.w(), after.x(), after.y(), after.z()});
+      const detail::TurnsAbout about(w);
+      rotation[1] = detail::TurnedRotation(about, body.orientation).at(about, limits.t_end);
       center[1] += unit * (rotation[1] * arm - rotation[0] * arm);
     }
   }
-  const double lengths = position.cwiseAbs().sum() + way.cwiseAbs().sum() + rho + radius +
-                         unit * (bounds.center.cwiseAbs().sum() + moving.pivot.cwiseAbs().sum() +
-                                 bounds.middle.cwiseAbs().sum() + core);
+  const double lengths = detail::norm_1(position) + detail::norm_1(way) + rho + radius +
+                         unit * (detail::norm_1(bounds.center) + detail::norm_1(moving.pivot) +
+                                 detail::norm_1(bounds.middle) + core);
   error = 512 * u * (1 + (turns ? angle : 0.0)) * lengths + 4 * (side.support_error + side.point_error);
 }
 
@@ -110,7 +106,7 @@ StepPair::StepPair(const StepBody& a, const StepBody& b, const StepLimits& limit
   radius_ = (a.radius + b.radius + target) * kUp;
   swept_ = (a.swept + b.swept + target) * kUp;
   error_ = a.error + b.error;
-  const double scale = a.size + b.size + target + start_.cwiseAbs().sum();
+  const double scale = a.size + b.size + target + detail::norm_1(start_);
   const bool turns = a.rate > 0 || b.rate > 0;
   margin_ = ((turns ? 2e-9 : 0x1p-36) + limits.tolerance) * scale + error_;
 }
@@ -138,7 +134,7 @@ StepPair::Ends StepPair::support(const Vec3<double>& n, bool both) {
 bool StepPair::is_parted_by(const Vec3<double>& n) {
   const Ends ends = support(n, true);
   const double lost = swept_ + error_ + margin_;
-  const double s_0 = -n.dot(ends.w[0]) - lost, s_1 = -n.dot(ends.w[1]) - lost;
+  const double s_0 = -detail::dot(n, ends.w[0]) - lost, s_1 = -detail::dot(n, ends.w[1]) - lost;
   if (!(s_0 > 0 && s_1 > 0)) return false;
   double bend = 0;
   for (const StepBody* body : {&a_, &b_}) {
@@ -151,7 +147,7 @@ bool StepPair::is_parted_by(const Vec3<double>& n) {
 Vec3<double> StepPair::find_axis(const Vec3<double>& hint) {
   const auto farther = [&](const Vec3<double>& n) {
     const Ends ends = support(n, true);
-    const bool is_end = n.dot(ends.w[1]) > n.dot(ends.w[0]);
+    const bool is_end = detail::dot(n, ends.w[1]) > detail::dot(n, ends.w[0]);
     detail::CsoPoint<double> p;
     p.w = ends.w[is_end ? 1 : 0];
     p.vertex_a = ends.vertex_a;
@@ -176,19 +172,20 @@ bool StepPair::holds_origin(const std::array<Vec3<double>, 4>& w, int size) cons
     detail::CsoPoint<double> p;
     p.w = w[static_cast<std::size_t>(i)];
     simplex.add(p);
-    longest = std::max(longest, p.w.cwiseAbs().sum());
+    longest = std::max(longest, detail::norm_1(p.w));
   }
   if (radius_ > 0) {
     const detail::Closest<double> closest = detail::closest_to_origin(simplex, zero());
-    if (closest.v.norm() * kUp + 16 * u * longest + most <= radius_ * (1 - 0x1p-38)) return true;
+    if (detail::norm(closest.v) * kUp + 16 * u * longest + most <= radius_ * (1 - 0x1p-38)) return true;
   }
   if (size != 4) return false;
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec3<double>&p = w[i], &q = w[(i + 1) % 4], &r = w[(i + 2) % 4], &opposite = w[(i + 3) % 4];
-    const Vec3<double> m = (q - p).cross(r - p);
+    const Vec3<double> m = detail::cross(q - p, r - p);
     // The height of the origin over the face, times |m|. Products of three lengths round by 64 u of their cube.
-    const double height = -m.dot(p), lost = most * m.norm() * kUp + 64 * u * longest * longest * longest;
-    const double altitude = m.dot(opposite - p);
+    const double height = -detail::dot(m, p),
+                 lost = most * detail::norm(m) * kUp + 64 * u * longest * longest * longest;
+    const double altitude = detail::dot(m, opposite - p);
     if (!(altitude > 0 ? altitude > lost && height > lost : altitude < -lost && height < -lost)) return false;
   }
   return true;

@@ -50,19 +50,20 @@ SweptBox sweep(const CoreBox& own, const Body<double>& body, const Turn& turn, d
   const Mat3<double> R =
       turned ? detail::rotation_matrix(body.orientation) : Mat3<double>(Mat3<double>::Identity());
   const Vec3<double> way = t_end * body.displacement;
-  const double size = body.position.cwiseAbs().sum() + own.middle.cwiseAbs().sum() + own.half.sum() +
-                      turn.pivot.cwiseAbs().sum() + own.radius;
+  const double size = detail::norm_1(body.position) + detail::norm_1(own.middle) + detail::norm_1(own.half) +
+                      detail::norm_1(turn.pivot) + own.radius;
   const double more = around + 32 * kRoundoff * size;
   const Vec3<double> c = body.position + R * own.middle;
   const Vec3<double> h =
       (R.cwiseAbs() * own.half + Vec3<double>::Constant(own.radius + more)) * (1 + 16 * kRoundoff);
-  const double angle = turn.rotation.norm() * t_end * (1 + 16 * kRoundoff);
+  const double angle = detail::norm(turn.rotation) * t_end * (1 + 16 * kRoundoff);
   if (!(angle > 0)) return box_of(c, way, h);
 
-  const double reach = ((own.middle - turn.pivot).cwiseAbs() + own.half).norm() * (1 + 16 * kRoundoff) + more;
+  const double reach =
+      detail::norm((own.middle - turn.pivot).cwiseAbs() + own.half) * (1 + 16 * kRoundoff) + more;
   const double rotation_displacement = std::min(angle, 2.0) * reach * (1 + 16 * kRoundoff);
   const double ball = (reach + own.radius) * (1 + 16 * kRoundoff);
-  if (3 * ball <= h.sum() + 3 * rotation_displacement) {
+  if (3 * ball <= detail::norm_1(h) + 3 * rotation_displacement) {
     const Vec3<double> pivot = body.position + R * turn.pivot;
     return box_of(pivot, way, Vec3<double>::Constant(ball));
   }
@@ -77,8 +78,8 @@ SweptBox swept_box(const Body<double>& body, const Turn& turn, double t_end, dou
 
 SweptBox contact_box(const Body<double>& body, const Turn& turn, double t_end, double target_distance) {
   const CoreBox own = core_box(body.shape);
-  const double scale =
-      body.position.cwiseAbs().sum() + own.middle.cwiseAbs().sum() + 2 * (own.half.sum() + 3 * own.radius);
+  const double scale = detail::norm_1(body.position) + detail::norm_1(own.middle) +
+                       2 * (detail::norm_1(own.half) + 3 * own.radius);
   return sweep(own, body, turn, t_end, target_distance / 2 * (1 + 0x1p-50) + 0x1p-36 * scale);
 }
 

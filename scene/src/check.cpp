@@ -26,7 +26,7 @@ std::string why_invalid_body(const RotatingBody<double>& moving, double t_max) {
     at.part = -1;
     return to_text(at);
   }
-  if (t_max < kInfinity<double> && moving.rotation.norm() * t_max > detail::kMostTurn) {
+  if (t_max < kInfinity<double> && detail::norm(moving.rotation) * t_max > detail::kMostTurn) {
     return "rotation is a turn of more than 2^30 radians";
   }
   return {};

@@ -16,7 +16,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 TEST(AssertionsDeathTest, ABrokenInvariantEndsTheProgramWithOneLine) {
   EXPECT_DEATH(detail::round_down<float>(kNan), "rounding[.]hpp:[0-9]+: graze relies on x == x");
   EXPECT_DEATH(detail::Frame<double>(Vec3<double>(0, 0, 0)),
-               "line_frame[.]hpp:[0-9]+: graze relies on norm > 0");
+               "line_frame[.]hpp:[0-9]+: graze relies on rest > 0");
   EXPECT_DEATH(detail::box_vertex(Vec3<double>(1, 1, 1), 8), "leaf[.]hpp:[0-9]+: graze relies on k < 8");
   EXPECT_DEATH(detail::hull_support(Hull<float>(), Vec3<float>(1, 0, 0)), "relies on hull.size.. > 0");
   const float flat[] = {0, 0, 0, 0, 0, 0, 0, 0}, line[] = {0, 1, 0, 1, 0, 1, 0, 1};

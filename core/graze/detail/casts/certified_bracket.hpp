@@ -28,8 +28,8 @@ template <Scalar S>
   out.toi_upper = toi_upper;
   // At the time as rounded down, v within 8 u of itself.
   const Vec3<double> v = wide(b.displacement) - wide(a.displacement);
-  const double way = v.norm() * (lower - double(toi_lower));
-  out.distance = round_up<S>((bracket.apart * power_of_two(k) + way) * (1 + 0x1p-48));
+  const double way = norm(v) * (lower - double(toi_lower));
+  out.distance = round_up<S>((fl(bracket.apart * power_of_two(k)) + way) * (1 + 0x1p-48));
   return true;
 }
 

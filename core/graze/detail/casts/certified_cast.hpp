@@ -69,7 +69,7 @@ class CertifiedCast {
         budget_(options.max_iterations),
         wants_proof_(asks_for(options.request, Request::proof)),
         // cso.scale() is not above the pair's. A portal is 2^9 times the predicate_error of its corners high.
-        width_allowed_(kLinearCertifiedWidth * (1 - 0x1p-20) * cso_.scale() + 0x1p10 * points_.error()) {}
+        width_allowed_(fl(kLinearCertifiedWidth * (1 - 0x1p-20) * cso_.scale()) + 0x1p10 * points_.error()) {}
   CertifiedCast(const CertifiedCast&) = delete;
   CertifiedCast& operator=(const CertifiedCast&) = delete;
 
@@ -107,7 +107,7 @@ class CertifiedCast {
   [[nodiscard]] Contact contact() {
     Contact out;
     const double s = cso_.to_parameter(lower);
-    if ((cso_.to_parameter(upper) - s) * context_.r.norm() <= width_allowed_ / 8) {
+    if ((cso_.to_parameter(upper) - s) * norm(context_.r) <= width_allowed_ / 8) {
       for (std::size_t i = 0; i < 3; ++i) out.add(portal.lambda[i], portal.p[i].point);
       return out;
     }
@@ -119,7 +119,7 @@ class CertifiedCast {
     reduce(simplex, closest);
     Vec3<double> towards = d.n != Vec3<double>::Zero() ? d.n : n;
     // The balls touch along what is between the cores, which is known better than the normal of the search.
-    if (cso_.radius() > 0 && closest.v.norm() > cso_.radius() / 2) towards = -unit(closest.v);
+    if (cso_.radius() > 0 && norm(closest.v) > cso_.radius() / 2) towards = -unit(closest.v);
     for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i) {
       const CsoPoint<double>& p = simplex.point[i];
       const Vec3<double> e = p.n != Vec3<double>::Zero() ? unit(p.n) : towards;
@@ -369,10 +369,10 @@ class CertifiedCast {
   // farther before s. Its axis there may prove a later bound. C is no farther from s than the distance of C from that
   // point plus the way back.
   [[nodiscard]] bool looks_from_before(double s, Near& at) {
-    const double speed = context_.r.norm() * (1 + 4 * kUnitRoundoff<double>);
+    const double speed = norm(context_.r) * (1 + 4 * kUnitRoundoff<double>);
     for (double before = width_allowed_ / 16 / speed; before < kFarBefore; before *= 2) {
       const Near there = near(s - before);
-      at.distance = std::min(at.distance, there.distance + before * speed);
+      at.distance = std::min(at.distance, there.distance + fl(before * speed));
       if (at.distance <= width_allowed_ || prove_later(there.n)) return true;
     }
     return false;
@@ -421,7 +421,8 @@ class CertifiedCast {
     const auto try_direction = [&](const Vec3<double>& given) {
       if (!(given.cwiseAbs().maxCoeff() > 0)) return;
       const Vec3<double> e = unit(given);
-      const double beyond = context_.reach(e, counters_) * power_of_two(-cso_.length_exponent()) - e.dot(x);
+      const double beyond =
+          fl(context_.reach(e, counters_) * power_of_two(-cso_.length_exponent())) - dot(e, x);
       if (beyond < least) {
         least = beyond;
         best = e;
@@ -477,7 +478,7 @@ class CertifiedCast {
 
   // A hit is proved. Computes the width of its bracket and narrows it if necessary.
   void close() {
-    const double speed = context_.r.norm() * (1 + 4 * kUnitRoundoff<double>);
+    const double speed = norm(context_.r) * (1 + 4 * kUnitRoundoff<double>);
     upper = std::min(cso_.to_time(portal.upper) * (1 + kUnitRoundoff<double>), context_.t_max);
     const auto length_before = [&](double t) {
       return cso_.to_parameter(upper - t) * speed * (1 + 8 * kUnitRoundoff<double>);
@@ -508,7 +509,7 @@ class CertifiedCast {
       try_axis(steep);
     }
     // From C to a point of the line before contact, the path's or one behind its start.
-    for (double before = width_allowed_ / context_.r.norm(); !(deep <= width_allowed_) && before < kFarBefore;
+    for (double before = width_allowed_ / norm(context_.r); !(deep <= width_allowed_) && before < kFarBefore;
          before *= 32) {
       try_axis(near(cso_.to_parameter(upper) - before).n);
     }
@@ -520,7 +521,7 @@ class CertifiedCast {
   // Axes from C to points of the path, farther and farther before contact, until one is proved. Returns a
   // bound of the distance from C at the time proved.
   double nearer(Vec3<double>& steep) {
-    double before = width_allowed_ / 8 / context_.r.norm();
+    double before = width_allowed_ / 8 / norm(context_.r);
     for (int i = 0; i < 64; ++i, before *= 2) {
       const double s = cso_.to_parameter(upper) - before;
       const Near there = near(std::max(s, 0.0));
@@ -607,7 +608,7 @@ void fill_certified(const Body<S>& a, const Body<S>& b, const CastOptions<S>& op
   if (out.outcome == Outcome::hit || out.outcome == Outcome::not_converged) {
     // At the time as rounded down, v within 8 u of itself.
     const Vec3<double> v = wide(b.displacement) - wide(a.displacement);
-    const double way = v.norm() * (cast.lower - static_cast<double>(out.toi_lower));
+    const double way = norm(v) * (cast.lower - static_cast<double>(out.toi_lower));
     out.distance = round_up<S>((cast.apart + way) * (1 + 0x1p-48));
     if (asks_for(options.request, Request::normal)) out.normal = cast.n.template cast<S>();
     if (asks_for(options.request, Request::witnesses)) {

@@ -21,7 +21,7 @@ template <class Solid>
   // No diagonal of bounds is below the reach of any of these solids.
   const double width = kLinearCertifiedWidth * (1 - 0x1p-20) * greater(largest(ray.o), solid.reach());
   if (!(rate > 0)) return out;
-  out.lower = hit.t + (dot(hit.n, ray.at(hit.t)) - (h + 1.25 * e)) / rate;
+  out.lower = hit.t + (dot(hit.n, ray.at(hit.t)) - (h + fl(1.25 * e))) / rate;
   const Triple x = ray.at(out.lower);
   hit.x = solid.nearest(x);
   const Triple off = x - hit.x;

@@ -33,10 +33,10 @@ template <Scalar S>
   const Triple n = found.n, &r = pair.direction();
   const double rate = dot(n, r), length = std::sqrt(dot(n, n)), speed = std::sqrt(dot(r, r));
   const double extent = pair.extent() + pair.radius(),
-               predicate_error = 2 * point_error(pair) + 16 * u * extent;
+               predicate_error = 2 * point_error(pair) + fl(16 * u * extent);
   // The pair's scale is not below half its size (curved_walk.hpp).
   const double width = kLinearCertifiedWidth / 2 * (1 - 0x1p-20) * pair.size();
-  const double h = found.reach + pair.ball_margin() * sum(magnitude(n));
+  const double h = found.reach + fl(pair.ball_margin() * sum(magnitude(n)));
   if (!(rate < 0) || !(h < 0)) return out;
   out.lower = h / rate * (1 - 8 * u);
   for (const double tilt : {kTilt, kMoreTilt}) {

@@ -78,7 +78,7 @@ Vec3<double> round_witness(const Body<S>& body, const RoundContact& contact, boo
     Feature feature;
     feature.vertex = of_a ? contact.corner[i].a : contact.corner[i].b;
     const Exact x = exact_point(body, feature);
-    for (int k = 0; k < 3; ++k) out[k] += contact.share[i] * ratio(x.x[std::size_t(k)], x.weight);
+    for (int k = 0; k < 3; ++k) out[k] += fl(contact.share[i] * ratio(x.x[std::size_t(k)], x.weight));
   }
   return out;
 }
@@ -158,7 +158,7 @@ void answer_contact(const Body<S>& a, const Body<S>& b, const RoundContact& cont
   out.toi_lower = round_down<S>(contact.toi.lower);
   out.toi_upper = round_up<S>(contact.toi.upper);
   const Vec3<double> v = wide(b.displacement) - wide(a.displacement);
-  out.distance = static_cast<S>((double(out.toi_upper) - double(out.toi_lower)) * v.norm());
+  out.distance = static_cast<S>((double(out.toi_upper) - double(out.toi_lower)) * norm(v));
   const Vec3<double> n = unit_of(contact.normal);
   if (asks_for(options.request, Request::normal)) out.normal = n.template cast<S>();
   if (!asks_for(options.request, Request::witnesses)) return;

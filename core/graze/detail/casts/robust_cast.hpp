@@ -17,7 +17,7 @@ void fill(CastResult<S>& out, const Body<S>& a, const Body<S>& b, const CastOpti
   out.outcome = sweep.outcome;
   if (out.outcome == Outcome::hit || out.outcome == Outcome::not_converged) {
     // Contact is at upper: what is left of the path bounds the distance as well.
-    const S path = (sweep.upper - sweep.lower) * cso.direction().norm();
+    const S path = (sweep.upper - sweep.lower) * norm(cso.direction());
     out.distance = cso.to_length(std::max(std::min(sweep.apart, path), S(0)));
   }
   switch (sweep.outcome) {
@@ -80,7 +80,7 @@ template <Scalar S, class Search>
   // A hit within the noise of the start is a start in contact, too.
   const bool at_start =
       sweep.outcome == Outcome::initially_overlapping ||
-      (sweep.outcome == Outcome::hit && sweep.lower * cso.direction().norm() <= limits.noise);
+      (sweep.outcome == Outcome::hit && sweep.lower * norm(cso.direction()) <= limits.noise);
   if (options.start_policy == StartPolicy::pass_over && at_start) {
     const Start start = start_of(Cso<S>(a, b), limits, out.counters);
     if (start == Start::leaves) {

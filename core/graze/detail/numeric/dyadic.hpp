@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <graze/detail/numeric/limbs.hpp>
+#include <graze/detail/numeric/machine.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace exact {
 
@@ -28,7 +29,7 @@ class Dyadic {
   Dyadic() {}
   // A finite double, read from its bits: no mode of the machine can change it.
   explicit Dyadic(double x) {
-    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const auto bits = detail::bit_cast<std::uint64_t>(x);
     const int biased = static_cast<int>(bits >> 52 & 0x7ff);
     const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
     const std::uint64_t magnitude = biased == 0 ? fraction : fraction | std::uint64_t{1} << 52;

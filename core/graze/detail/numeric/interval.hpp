@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <graze/linkage.hpp>
+#include <graze/detail/numeric/machine.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
@@ -13,6 +13,7 @@ struct Interval {
   Interval(double x) : lo(x), hi(x) {}  // NOLINT: a number is one
   Interval(double l, double h) : lo(l), hi(h) {}
 };
+inline Interval fl(Interval x) { return {fl(x.lo), fl(x.hi)}; }
 inline Interval operator+(Interval x, Interval y) { return {x.lo + y.lo, x.hi + y.hi}; }
 inline Interval operator-(Interval x, Interval y) { return {x.lo - y.hi, x.hi - y.lo}; }
 inline Interval operator-(Interval x) { return {-x.hi, -x.lo}; }

@@ -14,6 +14,7 @@
 #include <graze/linkage.hpp>
 
 #include <cstddef>
+#include <type_traits>
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__FMA__)
 #define GRAZE_FUSES_IF_THERE 1
@@ -24,7 +25,18 @@
 #define GRAZE_FUSED [[gnu::flatten, gnu::noinline]]
 #endif
 
+#if defined(_MSC_VER) && !defined(__clang__)
+#pragma fp_contract(off)
+#endif
+
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
+
+// The bits of x as a T. As std::bit_cast, which libraries before 2022 lack.
+template <class T, class U>
+[[nodiscard]] constexpr T bit_cast(const U& x) {
+  static_assert(sizeof(T) == sizeof(U));
+  return __builtin_bit_cast(T, x);
+}
 
 // Two doubles side by side, of what is done to two bodies alike: one instruction does for both where there is one (SSE2,
 // which every x86-64 processor has), with the bits of two.
@@ -44,26 +56,33 @@ struct TwoLanes {
 };
 #endif
 
-// x, a product, as it is rounded. Compilers may fuse a product with the sum that it goes into, where they may use such
-// instructions: g++ by default, and clang does not keep to the pragma that forbids it under -ffp-contract=fast. Code
-// that needs the same bits everywhere marks each product with this function. The asm is empty: nothing is done, and
-// compilers do not look through it. Without fused multiply-adds to use there is nothing to forbid.
+// fl(x) is the product x as it is rounded, in the notation of error analysis. Where a compiler may use fused
+// multiply-adds, it may fuse a product with the sum that it goes into: g++ does by default, and clang does not keep to
+// the pragma that forbids it under -ffp-contract=fast. So core marks each product that goes into a sum. An exact one,
+// with a power of two, needs no mark. The asm is empty: nothing is done, and compilers do not look through it. Without
+// fused multiply-adds to use there is nothing to forbid.
 template <class T>
-[[nodiscard, gnu::always_inline]] inline T as_rounded(T x) {
+requires(!std::is_class_v<T> && !std::is_integral_v<T>) [[nodiscard, gnu::always_inline]] inline T fl(T x) {
 #if defined(__GNUC__) && defined(__x86_64__)
 #if defined(__FMA__) || defined(__FMA4__)
   asm("" : "+x"(x));
 #endif
 #elif defined(__GNUC__) && defined(__aarch64__)
   asm("" : "+w"(x));
-#elif defined(__GNUC__)
+#elif defined(__GNUC__) && (defined(__riscv) || defined(__s390x__))
+  if constexpr (std::is_arithmetic_v<T>) {
+    asm("" : "+f"(x));
+  } else {
+    asm("" : "+m"(x));
+  }
+#elif defined(__GNUC__) && !defined(__wasm__)
   asm("" : "+m"(x));
 #endif
   return x;
 }
 template <class T, class U>
 [[nodiscard, gnu::always_inline]] inline U rounded_product(T a, U b) {
-  return as_rounded<U>(a * b);
+  return fl<U>(a * b);
 }
 
 // A fused multiply-add that the compiler may not use?

@@ -24,8 +24,10 @@ struct TwoDoublesOfTwo {
   TwoLanes hi, lo;
 };
 
-// a + b = hi + lo exactly (Knuth).
+// a + b = hi + lo exactly (Knuth). A product is rounded before it is added twice.
 inline TwoDoubles two_sum(double a, double b) {
+  a = fl(a);
+  b = fl(b);
   const double hi = a + b, bb = hi - a;
   return {hi, (a - (hi - bb)) + (b - bb)};
 }
@@ -49,7 +51,7 @@ TwoDoubles two_product(double a, double b) {
   constexpr double kSplit = 0x1p27 + 1;
   const double p = kSplit * a, q = kSplit * b;
   const double a_hi = p - (p - a), a_lo = a - a_hi, b_hi = q - (q - b), b_lo = b - b_hi;
-  return {hi, ((a_hi * b_hi - hi) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo};
+  return {hi, ((fl(a_hi * b_hi) - hi) + fl(a_hi * b_lo) + fl(a_lo * b_hi)) + fl(a_lo * b_lo)};
 #endif
 }
 template <bool kFused = false>

@@ -73,8 +73,8 @@ inline int PointSet::orientation(const Vec3<double>& a, const Vec3<double>& b, c
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     const double qr = q[j] * r[k], rq = q[k] * r[j];
-    value += p[i] * (qr - rq);
-    permanent += std::abs(p[i]) * (std::abs(qr) + std::abs(rq));
+    value += fl(p[i] * (qr - rq));
+    permanent += fl(std::abs(p[i]) * (std::abs(qr) + std::abs(rq)));
   }
   const double error = 8 * kUnitRoundoff<double> * permanent;
   if (std::abs(value) > error || permanent == 0) return sign(value);

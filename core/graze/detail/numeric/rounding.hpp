@@ -17,7 +17,7 @@ S round_down(double x) {
     if (!(static_cast<double>(near) > x)) return near;
     // The next float below, which is finite: infinity is above a finite x, and -infinity above nothing.
     if (near == 0) return -std::numeric_limits<float>::denorm_min();
-    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(near) + (near > 0 ? ~0u : 1u));
+    return detail::bit_cast<float>(detail::bit_cast<std::uint32_t>(near) + (near > 0 ? ~0u : 1u));
   }
 }
 template <Scalar S>

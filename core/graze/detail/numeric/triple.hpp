@@ -33,6 +33,9 @@ inline Triple cross(const Triple& a, const Triple& b) {
           rounded_product(a.z, b.x) - rounded_product(a.x, b.z),
           rounded_product(a.x, b.y) - rounded_product(a.y, b.x)};
 }
+inline Triple scaled_by_axis(const Triple& a, const Triple& b) {
+  return {rounded_product(a.x, b.x), rounded_product(a.y, b.y), rounded_product(a.z, b.z)};
+}
 inline Triple magnitude(const Triple& a) { return {std::abs(a.x), std::abs(a.y), std::abs(a.z)}; }
 inline double sum(const Triple& a) { return a.x + a.y + a.z; }
 // As std::min and std::max, by value: compilers make branches of those, which nothing foretells.

@@ -150,7 +150,7 @@ struct ExactTurn {
 // The exponent of the last bit of x that is set, or kAnyGrid for 0.
 inline constexpr int kAnyGrid = 100000;
 inline int trailing_exponent(double x) {
-  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto bits = detail::bit_cast<std::uint64_t>(x);
   const int biased = static_cast<int>(bits >> 52 & 0x7ff);
   const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
   const std::uint64_t magnitude = biased == 0 ? fraction : fraction | std::uint64_t{1} << 52;

@@ -96,7 +96,7 @@ class Cso {
   [[nodiscard]] CsoPoint<S> rounded_support(const Vec3<S>& unit_n) const {
     CsoPoint<S> out = support(unit_n);
     if (radius_ > 0) {
-      GRAZE_ASSERT(unit_n == Vec3<S>::Zero() || !(std::abs(unit_n.squaredNorm() - 1) > S(1e-3)));
+      GRAZE_ASSERT(unit_n == Vec3<S>::Zero() || !(std::abs(squared_norm(unit_n) - 1) > S(1e-3)));
       out.e = unit_n;
       out.w += radius_ * unit_n;
     }
@@ -118,18 +118,18 @@ class Cso {
   // their centres.
   [[nodiscard]] S scale() const { return scale_; }
   // See above. `extent` is M, which also bounds |w|.
-  [[nodiscard]] S extent() const { return a_.reach() + b_.reach() + d_.norm(); }
+  [[nodiscard]] S extent() const { return a_.reach() + b_.reach() + norm(d_); }
   [[nodiscard]] S point_error() const {
-    return kUnitRoundoff<S> * (4 * extent() + a_.turn * a_.reach() + b_.turn * b_.reach()) + a_.point_error +
-           b_.point_error;
+    return kUnitRoundoff<S> * (4 * extent() + fl(a_.turn * a_.reach()) + fl(b_.turn * b_.reach())) +
+           a_.point_error + b_.point_error;
   }
   // How far over |n| the points that the sides choose may lie below the greatest.
   [[nodiscard]] S choice_error() const {
     return a_.support_error + b_.support_error +
-           2 * kUnitRoundoff<S> * (a_.turn * a_.reach() + b_.turn * b_.reach());
+           2 * kUnitRoundoff<S> * (fl(a_.turn * a_.reach()) + fl(b_.turn * b_.reach()));
   }
   [[nodiscard]] S reach_error() const {
-    return S(1.75) * point_error() + 3 * kUnitRoundoff<S> * extent() + choice_error();
+    return fl(S(1.75) * point_error()) + fl(3 * kUnitRoundoff<S> * extent()) + choice_error();
   }
 
   [[nodiscard]] const Side<S>& side_a() const { return a_; }

@@ -86,16 +86,16 @@ class PreparedCurved {
       const double length_sq = dot(y, y);
       if (!(length_sq > kLeastSquare)) return {0, 0, 0};
       const double by = 1 / std::sqrt(length_sq), along_e = by * dot(y, e_y), along_f = by * dot(y, f_y);
-      bend.ee = by * (dot(e_y, e_y) - along_e * along_e);
-      bend.ef = by * (dot(e_y, f_y) - along_e * along_f);
-      bend.ff = by * (dot(f_y, f_y) - along_f * along_f);
+      bend.ee = by * (dot(e_y, e_y) - fl(along_e * along_e));
+      bend.ef = by * (dot(e_y, f_y) - fl(along_e * along_f));
+      bend.ff = by * (dot(f_y, f_y) - fl(along_f * along_f));
       return core_.to_world(by * scaled(y));
     }
     // A rim: R |d_xy|, which bends along the tangent alone, by R / |d_xy|.
-    const double z = piece == 1 ? radii_.z : -radii_.z, across_sq = d.x * d.x + d.y * d.y;
+    const double z = piece == 1 ? radii_.z : -radii_.z, across_sq = fl(d.x * d.x) + fl(d.y * d.y);
     if ((kind_ == Kind::cone && piece == 1) || !(across_sq > kLeastSquare)) return core_.to_world({0, 0, z});
     const double one = 1 / std::sqrt(across_sq), by = radii_.x * one, bent = by * one * one,
-                 e_t = d.x * e.y - d.y * e.x, f_t = d.x * f.y - d.y * f.x;
+                 e_t = fl(d.x * e.y) - fl(d.y * e.x), f_t = fl(d.x * f.y) - fl(d.y * f.x);
     bend.ee = bent * e_t * e_t;
     bend.ef = bent * e_t * f_t;
     bend.ff = bent * f_t * f_t;
@@ -123,7 +123,7 @@ class PreparedCurved {
       case Kind::cylinder:
         return d.z >= 0 ? 1 : 0;
       case Kind::cone:
-        return 2 * radii_.z * d.z >= radii_.x * std::sqrt(d.x * d.x + d.y * d.y) ? 1 : 0;
+        return 2 * radii_.z * d.z >= radii_.x * std::sqrt(fl(d.x * d.x) + fl(d.y * d.y)) ? 1 : 0;
       default:
         return 0;
     }
@@ -134,7 +134,7 @@ class PreparedCurved {
       const double length_sq = dot(y, y);
       return length_sq > kLeastSquare ? (1 / std::sqrt(length_sq)) * scaled(y) : Triple{0, 0, 0};
     }
-    const double z = piece == 1 ? radii_.z : -radii_.z, across_sq = d.x * d.x + d.y * d.y;
+    const double z = piece == 1 ? radii_.z : -radii_.z, across_sq = fl(d.x * d.x) + fl(d.y * d.y);
     if ((kind_ == Kind::cone && piece == 1) || !(across_sq > kLeastSquare)) return {0, 0, z};
     const double by = radii_.x / std::sqrt(across_sq);
     return {by * d.x, by * d.y, z};

@@ -112,7 +112,7 @@ class PreparedCore {
       case Kind::side:
         return turn + side_->support_error;
       default:
-        return turn + 16 * u * reach_;
+        return turn + fl(16 * u * reach_);
     }
   }
   // n rotated into the body's axes: within kCoreRotation u |n|.
@@ -254,7 +254,7 @@ class PreparedCore {
   enum class Kind : std::uint8_t { few, box, hull, mapped, side };
 
   [[nodiscard]] static std::uint32_t plus(double x) {
-    return 1u ^ static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x) >> 63);
+    return 1u ^ static_cast<std::uint32_t>(detail::bit_cast<std::uint64_t>(x) >> 63);
   }
   [[nodiscard, gnu::noinline]] std::uint32_t other_support(double x, double y, double z) const {
     const Triple d{x, y, z};
@@ -404,7 +404,7 @@ class PreparedPair {
     // One rounding of a difference, or of a sum of pairs with the error of rotating the centres.
     const double turned = (core_a.turned() ? largest(core_a.center()) : 0.0) +
                           (core_b.turned() ? largest(core_b.center()) : 0.0);
-    offset_error_ = 2 * kUnitRoundoff<double> * largest(offset_) + 0x1p-95 * power_of_two(-k_) * turned;
+    offset_error_ = 2 * kUnitRoundoff<double> * largest(offset_) + fl(0x1p-95 * power_of_two(-k_) * turned);
     a_.prepare(k_);
     b_.prepare(k_);
     extent_ = a_.reach() + b_.reach() + rounded_product(std::sqrt(dot(offset_, offset_)), 1 + 0x1p-50);

@@ -45,7 +45,7 @@ Bounds bounds_of_tree(const Shape<S>& shape) {
       for (const double sign : {1.0, -1.0}) {
         const Vec3<double> n = sign * Vec3<double>::Unit(i);
         const TreePoint p = TreeWalk<S>(n)(shape, at);
-        (sign > 0 ? high : low)[i] = p.x[i] + sign * p.excess.hi;
+        (sign > 0 ? high : low)[i] = p.x[i] + fl(sign * p.excess.hi);
       }
     }
   };
@@ -139,7 +139,7 @@ struct Side {
   // For a combinator with curved parts.
   [[nodiscard]] bool is_curved_tree() const { return curved && shape; }
   // Bounds |x| over the core.
-  [[nodiscard]] S reach() const { return (half + middle.cwiseAbs()).norm(); }
+  [[nodiscard]] S reach() const { return norm(half + middle.cwiseAbs()); }
 };
 
 template <Scalar S>
@@ -257,8 +257,8 @@ void set_core(Side<S>& side, const Shape<Given>& shape, int k) {
                           const double fine =
                               unit * kTwoDoublesOfANode * nodes_of<Given>(shape) * lengths_of<Given>(shape);
                           side.point_error =
-                              capped<S>(u * own.point + fine) + kUnitRoundoff<S> * side.reach();
-                          side.support_error = capped<S>(u * own.choice + 2 * fine);
+                              capped<S>(fl(u * own.point) + fine) + kUnitRoundoff<S> * side.reach();
+                          side.support_error = capped<S>(fl(u * own.choice) + 2 * fine);
                         }},
              shape);
 }
@@ -285,7 +285,7 @@ Side<S> make_side(const Body<Given>& body, const Bounds& bounds, int k, Turning 
   side.radius = static_cast<S>(unit * bounds.radius);
   set_core(side, body.shape, k);
   // The error of the pair's offset that comes from this centre.
-  side.point_error += capped<S>(unit * kOffsetOfCenters * bounds.center.norm());
+  side.point_error += capped<S>(unit * kOffsetOfCenters * norm(bounds.center));
   // A point's rotation about itself, and so a sphere's, cannot be seen.
   const Vec3<double> off = bounds.half + bounds.middle.cwiseAbs() + bounds.center.cwiseAbs();
   side.rotated = !body.orientation.is_identity() && off.maxCoeff() > 0;

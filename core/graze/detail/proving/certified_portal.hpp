@@ -23,9 +23,9 @@
 // + |m|) in all.
 #pragma once
 
-#include <Eigen/Geometry>  // cross
 #include <algorithm>
 
+#include <graze/detail/numeric/sine_cosine.hpp>
 #include <graze/detail/proving/named_point.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
@@ -98,7 +98,7 @@ class ProvedView {
       for (const int turn : {1, -1}) {
         const ProvedPoint* last = nullptr;
         for (std::size_t i = 0; i < size; ++i) {
-          const bool far = last == nullptr || across(corner[i]).norm() > across(*last).norm();
+          const bool far = last == nullptr || norm(across(corner[i])) > norm(across(*last));
           if (far && !has_next(corner[i], corner, size, turn)) last = &corner[i];
         }
         if (last == nullptr) continue;
@@ -135,7 +135,7 @@ class ProvedView {
     Vec3<double> out;
     out[static_cast<int>(a_)] = f_x;
     out[static_cast<int>(b_)] = f_y;
-    out[static_cast<int>(c_)] = f_z / value(r_[c_]) - f_x * value(rho_a_) - f_y * value(rho_b_);
+    out[static_cast<int>(c_)] = f_z / value(r_[c_]) - fl(f_x * value(rho_a_)) - fl(f_y * value(rho_b_));
     return out;
   }
 
@@ -148,8 +148,8 @@ class ProvedView {
   [[nodiscard]] Area area(const ProvedPoint& j, const ProvedPoint& k) const {
     const double size_j = std::max(std::abs(j.x.hi), std::abs(j.y.hi));
     const double size_k = std::max(std::abs(k.x.hi), std::abs(k.y.hi));
-    return {j.x * k.y + -(j.y * k.x),
-            2 * (2 * error_ * (size_j + size_k) + 2 * error_ * error_ + 0x1p-95 * size_j * size_k)};
+    return {j.x * k.y + -(j.y * k.x), 2 * (fl(2 * error_ * (size_j + size_k)) + fl(2 * error_ * error_) +
+                                           fl(0x1p-95 * size_j * size_k))};
   }
 
   static Vec3<double> across(const ProvedPoint& p) { return {value(p.x), value(p.y), 0}; }
@@ -222,10 +222,10 @@ class ProvedView {
       const ProvedPoint &from = p[i], &to = p[(i + 1) % 3];
       edge[i] = {value(to.x + -from.x), value(to.y + -from.y), value(to.z + -from.z)};
       if (off(i) < off(nearest)) nearest = i;
-      if (edge[i].head<2>().squaredNorm() > edge[longest].head<2>().squaredNorm()) longest = i;
+      if (squared_norm(edge[i].head<2>()) > squared_norm(edge[longest].head<2>())) longest = i;
     }
     const Vec3<double>& along = edge[longest];
-    const double length_sq = along.head<2>().squaredNorm(), steep = length_sq > 0 ? along[2] / length_sq : 0;
+    const double length_sq = squared_norm(along.head<2>()), steep = length_sq > 0 ? along[2] / length_sq : 0;
     const TwoDoubles slope_x{steep * along[0], 0}, slope_y{steep * along[1], 0};
     const ProvedPoint& by = p[nearest];
     const double total = std::abs(value(w.sum));
@@ -236,10 +236,10 @@ class ProvedView {
       const TwoDoubles left = (p[i].z + -by.z) + -(slope_x * (p[i].x + -by.x) + slope_y * (p[i].y + -by.y));
       above = above + w.l[i] * left;
       const double share = std::abs(value(w.l[i])) / total;
-      predicate_error += 2 * (w.error[i] + w.errors * share) / total * std::abs(value(left));
+      predicate_error += fl(2 * (w.error[i] + fl(w.errors * share)) / total * std::abs(value(left)));
     }
     const double at = value((by.z + -(slope_x * by.x + slope_y * by.y)) + above / w.sum);
-    predicate_error += 4 * error_ * (1 + std::abs(slope_x.hi) + std::abs(slope_y.hi)) +
+    predicate_error += fl(4 * error_ * (1 + std::abs(slope_x.hi) + std::abs(slope_y.hi))) +
                        0x1p-92 * std::abs(along[2]) + 2 * kUnitRoundoff<double> * std::abs(at);
     const double upper = at + 2 * predicate_error;
     // If the line passes an edge that stays, the height stays the same, too. The steps are counted.
@@ -261,9 +261,9 @@ class ProvedView {
     // The two shorter edges know it best.
     std::size_t longest = 0;
     for (std::size_t i = 1; i < 3; ++i) {
-      if (edge[i].squaredNorm() > edge[longest].squaredNorm()) longest = i;
+      if (squared_norm(edge[i]) > squared_norm(edge[longest])) longest = i;
     }
-    const Vec3<double> f = edge[(longest + 1) % 3].cross(edge[(longest + 2) % 3]);
+    const Vec3<double> f = cross(edge[(longest + 1) % 3], edge[(longest + 2) % 3]);
     return unit(world(f[2] > 0 ? -f[0] : f[0], f[2] > 0 ? -f[1] : f[1], f[2] > 0 ? -f[2] : f[2]));
   }
   // A direction between the normals of the two corners that the line passes between. Used for corners on one line,
@@ -272,13 +272,13 @@ class ProvedView {
     Vec3<double> edge = Vec3<double>::Zero();
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3<double> e = across(p[(i + 1) % 3]) - across(p[i]);
-      if (e.squaredNorm() > edge.squaredNorm()) edge = e;
+      if (squared_norm(e) > squared_norm(edge)) edge = e;
     }
     const ProvedPoint *before = nullptr, *after = nullptr;
     for (const ProvedPoint& c : p) {
-      const double at = edge.dot(across(c));
-      if (at <= 0 && (before == nullptr || at > edge.dot(across(*before)))) before = &c;
-      if (at > 0 && (after == nullptr || at < edge.dot(across(*after)))) after = &c;
+      const double at = dot(edge, across(c));
+      if (at <= 0 && (before == nullptr || at > dot(edge, across(*before)))) before = &c;
+      if (at > 0 && (after == nullptr || at < dot(edge, across(*after)))) after = &c;
     }
     if (before == nullptr || after == nullptr) return Vec3<double>::Zero();
     return unit(Vec3<double>(unit(before->n) + unit(after->n)));
@@ -291,8 +291,9 @@ class ProvedView {
     for (const double tilt : kTiltSizes) {
       for (int k = 0; k < kTilts; ++k) {
         // Not aligned with any symmetry.
-        const double angle = 0.3 + k * 0.785398;
-        const Vec3<double> t = std::cos(angle) * frame.e1 + std::sin(angle) * frame.e2;
+        const double angle = 0.3 + fl(k * 0.785398);
+        const SineCosine<double> at = rounded_sine_cosine(angle);
+        const Vec3<double> t = at.cosine * frame.e1 + at.sine * frame.e2;
         if (try_one(along(n + tilt * t), true)) return true;
       }
     }
@@ -315,8 +316,8 @@ class ProvedView {
   void discover(ProvedPortal& portal) const {
     std::array<ProvedPoint, 3> p;
     for (std::size_t i = 0; i < 3; ++i) {
-      const double angle = 0.3 + 2.1 * static_cast<double>(i);
-      p[i] = along(world(std::cos(angle), std::sin(angle), 0));
+      const SineCosine<double> at = rounded_sine_cosine(0.3 + fl(2.1 * static_cast<double>(i)));
+      p[i] = along(world(at.cosine, at.sine, 0));
     }
     for (int step = 0; step < kSteps; ++step) {
       if (take(portal, p)) return;
@@ -329,7 +330,7 @@ class ProvedView {
       Vec3<double> n = Vec3<double>::Zero();
       for (std::size_t i = 0; i < 3; ++i) {
         const ProvedPoint &j = p[(i + 1) % 3], &k = p[(i + 2) % 3];
-        const double e_x = value(k.x + -j.x), e_y = value(k.y + -j.y), length = std::hypot(e_x, e_y);
+        const double e_x = value(k.x + -j.x), e_y = value(k.y + -j.y), length = hypotenuse(e_x, e_y);
         if (!(length > 0)) continue;
         if (const double inside = value(j.x * k.y + -(j.y * k.x)) / length; inside < least) {
           least = inside;
@@ -349,7 +350,7 @@ class ProvedView {
       const ProvedPoint &j = p[(worst + 1) % 3], &k = p[(worst + 2) % 3];
       const ProvedPoint w = along(outward);
       portal.across = outward;
-      if (!(n[0] * value(w.x) + n[1] * value(w.y) > 0)) return;
+      if (!(fl(n[0] * value(w.x)) + fl(n[1] * value(w.y)) > 0)) return;
       p = {w, j, k};
     }
   }
@@ -394,7 +395,7 @@ class ProvedView {
       portal.beyond = 0;
       ProvedPortal aside;
       const bool moved = go_along(n, portal, aside, [&](const ProvedPoint& w) {
-        portal.beyond = n.dot(rounded_once(w.point.w + -p[0].point.w));
+        portal.beyond = dot(n, rounded_once(w.point.w + -p[0].point.w));
         return !(portal.beyond > gap);
       });
       if (moved) continue;

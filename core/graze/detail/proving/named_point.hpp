@@ -83,7 +83,7 @@ class NamedPoints {
  public:
   NamedPoints(const ProofContext<S>& context, Counters& counters)
       : c_(context), counters_(counters), unit_(power_of_two(-context.cso.length_exponent())) {
-    const double apart = (wide(context.b.position) - wide(context.a.position)).cwiseAbs().sum();
+    const double apart = norm_1(wide(context.b.position) - wide(context.a.position));
     const double lengths = apart + lengths_of(context.a.shape) + lengths_of(context.b.shape) + context.radius;
     error_ = kTwoDoublesOfANode * (nodes_of(context.a.shape) + nodes_of(context.b.shape)) * unit_ * lengths;
     target_ = context.cso.to_length(context.cso.target());

@@ -8,7 +8,7 @@
 // Notation   h = h(n) + R |n|.   delta_h, delta_r, ... bounds on the rounding of h, n.r, ... .   s = t 2^(j - k).
 #pragma once
 
-#include <Eigen/Geometry>  // cross
+#include <graze/detail/numeric/sine_cosine.hpp>
 #include <graze/detail/proving/pierce.hpp>
 #include <graze/detail/search/robust/advancement.hpp>
 #include <graze/detail/search/robust/refine_axis.hpp>
@@ -80,14 +80,14 @@ struct ProofContext {
     ++counters.supports;
     const CsoPoint<double> p = cso.support(n);
     if (!plain) {
-      const double ball = cso.radius() * (1 + 2 * kInsideTree * u);
-      return cso.to_length(n.dot(p.w) + n.norm() * (1 + 8 * u) * (cso.reach_error() + ball));
+      const double ball = cso.radius() * (1 + fl(2 * kInsideTree * u));
+      return cso.to_length(dot(n, p.w) + fl(norm(n) * (1 + 8 * u) * (cso.reach_error() + ball)));
     }
     const TwoDoubles h = (along(n, a, p.vertex_a) + -along(n, b, p.vertex_b)) + apart(n);
-    const double passed_over = cso.choice_error() + 4 * u * cso.radius() + 0x1p-90 * lengths();
-    const double rounded = n.norm() * (1 + 4 * u);
-    return h.hi + (std::abs(h.lo) + rounded * (cso.to_length(passed_over) + radius)) * (1 + 8 * u) +
-           2 * u * std::abs(h.hi);
+    const double passed_over = cso.choice_error() + fl(4 * u * cso.radius()) + 0x1p-90 * lengths();
+    const double rounded = norm(n) * (1 + 4 * u);
+    return h.hi + fl((std::abs(h.lo) + fl(rounded * (cso.to_length(passed_over) + radius))) * (1 + 8 * u)) +
+           fl(2 * u * std::abs(h.hi));
   }
 
  private:
@@ -148,8 +148,8 @@ template <Scalar S>
 Vec3<double> level(const ProofContext<S>& c, const Vec3<double>& n) {
   // |fl(n.r) - n.r| <= 6 u sum |n_i r_i|: r's own rounding, three products, two sums. It is doubled for the rounding
   // of the rotation.
-  const double predicate_error = 12 * kUnitRoundoff<double> * n.cwiseProduct(c.r).cwiseAbs().sum();
-  const double excess = -(n.dot(c.r) - predicate_error), length_sq = c.r.squaredNorm();
+  const double predicate_error = fl(12 * kUnitRoundoff<double> * norm_1(scaled_by_axis(n, c.r)));
+  const double excess = -(dot(n, c.r) - predicate_error), length_sq = squared_norm(c.r);
   return excess > 0 && length_sq > 0 ? Vec3<double>(n + c.r * (excess / length_sq * (1 + 1e-15))) : n;
 }
 
@@ -160,14 +160,14 @@ void prove_miss(const ProofContext<S>& c, const Vec3<double>& hint, Proof& proof
   if (prove_lower(c, hint, true, proof, counters)) return;
   if (ray && prove_lower(c, level(c, hint), true, proof, counters)) return;
   double s_end = c.s_max;
-  if (const double length_sq = c.r.squaredNorm(); length_sq > 0) {
+  if (const double length_sq = squared_norm(c.r); length_sq > 0) {
     // No contact is later: s r.r <= h(r) + R |r|.
-    s_end = std::min(s_end, std::max(c.cso.support(c.r).w.dot(c.r) + c.cso.radius() * c.r.norm(), 0.0) /
+    s_end = std::min(s_end, std::max(dot(c.cso.support(c.r).w, c.r) + fl(c.cso.radius() * norm(c.r)), 0.0) /
                                 length_sq * (1 + 1e-12));
   }
   const auto swept = [&](const Vec3<double>& n) {
     CsoPoint<double> p = c.cso.support(n);
-    if (n.dot(c.r) < 0) {
+    if (dot(n, c.r) < 0) {
       p.w -= s_end * c.r;
       p.e = Vec3<double>::UnitX();  // distinguishes the two ends of a sweep
     }
@@ -244,21 +244,21 @@ inline HeightAtLine height_at_line(const std::array<Vec3<double>, 3>& q, double 
     const Vec3<double>&a = q[(i + 1) % 3], &b = q[(i + 2) % 3];
     const double across = std::abs(a[0]) + std::abs(a[1]) + std::abs(b[0]) + std::abs(b[1]);
     l[i] = cross2(a, b);
-    if (!(l[i] > 2 * e * across + 4 * e * e)) return out;
+    if (!(l[i] > fl(2 * e * across) + fl(4 * e * e))) return out;
     area += l[i];
-    side = std::max(side, std::hypot(a[0] - b[0], a[1] - b[1]));
+    side = std::max(side, hypotenuse(a[0] - b[0], a[1] - b[1]));
   }
   if (!(64 * e * side < area)) return out;
   const Vec3<double> n = face_normal(q[0], q[1], q[2]);
   const double gx = -n[0] / n[2], gy = -n[1] / n[2];
   double z = 0, rho_x = 0, rho_y = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    z += l[i] / area * q[i][2];
-    rho_x += l[i] / area * q[i][0];
-    rho_y += l[i] / area * q[i][1];
+    z += fl(l[i] / area * q[i][2]);
+    rho_x += fl(l[i] / area * q[i][0]);
+    rho_y += fl(l[i] / area * q[i][1]);
   }
-  out.z = z - (gx * rho_x + gy * rho_y);
-  out.error = (1.25 * e + 5 * u * extent) * (1 + std::abs(gx) + std::abs(gy));
+  out.z = z - (fl(gx * rho_x) + fl(gy * rho_y));
+  out.error = (fl(1.25 * e) + fl(5 * u * extent)) * (1 + std::abs(gx) + std::abs(gy));
   out.sure = true;
   return out;
 }
@@ -267,7 +267,8 @@ inline double filtered_upper(const Cso<double>& cso, const Portal<double>& porta
                              double z_max, double slack) {
   constexpr double u = kUnitRoundoff<double>;
   const double extent = cso.extent() + cso.radius();
-  const double e = cso.point_error() + 8 * u * extent + slack * (cso.curved() ? 2 * extent : cso.radius());
+  const double e =
+      cso.point_error() + fl(8 * u * extent) + fl(slack * (cso.curved() ? 2 * extent : cso.radius()));
   const HeightAtLine at = height_at_line({portal.p[0].q, portal.p[1].q, portal.p[2].q}, e, extent);
   if (!at.sure || !(at.z - at.error >= 0 && at.z + at.error <= z_max * (1 - 4 * u))) return kInfinity<double>;
   return cso.to_time((at.z + at.error) / length * (1 + 8 * u));
@@ -309,7 +310,7 @@ void prove_nearer(const ProofContext<S>& c, double toi_upper, Proof& proof, Coun
   constexpr double kGap = 16 * kUnitRoundoff<double>;  // relative to scale: a smaller gap is not worth a
                                                        // second search
   constexpr int kHalvings = 8;
-  const double upper = std::min(toi_upper, proof.toi_upper), speed = c.r.norm();
+  const double upper = std::min(toi_upper, proof.toi_upper), speed = norm(c.r);
   const auto is_near = [&] {
     return !(c.cso.to_parameter(upper - proof.toi_lower) * speed > kGap * c.cso.scale());
   };
@@ -346,9 +347,9 @@ void prove_start(const ProofContext<S>& c, Proof& proof, Counters& counters) {
   gjk_distance(rounded, Vec3<double>(Vec3<double>::Zero()), start, simplex, 0.0, 0.0, 256, counters);
   if (simplex.size != 4) return;
   double longest = 0;
-  for (const auto& p : simplex.point) longest = std::max(longest, p.w.cwiseAbs().sum());
+  for (const auto& p : simplex.point) longest = std::max(longest, norm_1(p.w));
   const double e = c.cso.point_error() +
-                   (8 * kUnitRoundoff<double> + c.slack()) * (longest + c.cso.radius()) +
+                   fl((8 * kUnitRoundoff<double> + c.slack()) * (longest + c.cso.radius())) +
                    (c.cso.curved() ? 2 * c.slack() * c.cso.extent() : 0.0);
   // det(a, b, c) of three points within e each: |error| <= 3 e (2 longest)^2, and 8 u of the product itself.
   const double error = 16 * e * longest * longest;
@@ -356,7 +357,7 @@ void prove_start(const ProofContext<S>& c, Proof& proof, Counters& counters) {
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec3<double>&a = simplex.point[(i + 1) % 4].w, &b = simplex.point[(i + 2) % 4].w,
           &d = simplex.point[(i + 3) % 4].w;
-    const double volume = (i % 2 == 0 ? 1 : -1) * a.dot(b.cross(d));
+    const double volume = (i % 2 == 0 ? 1 : -1) * dot(a, cross(b, d));
     if (!(std::abs(volume) > error) || side * volume < 0) return;
     side = volume;
   }

@@ -19,7 +19,7 @@ bool surrounds(const NamedPoints<S>& points, const std::array<const NamedPoint*,
   const double error = points.error();
   double most = 0;
   for (const NamedPoint* one : p) most = std::max(most, rounded_once(one->w).cwiseAbs().maxCoeff());
-  const double predicate_error = 32 * error * most * most + 0x1p-92 * most * most * most;
+  const double predicate_error = fl(32 * error * most * most) + fl(0x1p-92 * most * most * most);
   int side = 0;
   std::array<int, 4> sign;
   for (std::size_t i = 0; i < 4; ++i) {

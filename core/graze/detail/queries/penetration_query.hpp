@@ -61,7 +61,7 @@ void refine_axis(const Cso<S>& cso, Simplex<S>& simplex, Distance<S>& d, S gap, 
     reduce(simplex, closest);
     ++counters.supports;
     const CsoPoint<S> next = cso.support(closest.n);
-    if (const S lower = -closest.n.dot(next.w); lower > d.lower) {
+    if (const S lower = -dot(closest.n, next.w); lower > d.lower) {
       d.lower = lower;
       d.n = closest.n;
     }
@@ -278,7 +278,7 @@ PenetrationResult<S>& robust_penetration(const Body<S>& a, const Body<S>& b,
   out.stalled = !(least.upper - std::max(least.lower, -R) <= std::max({gap, 2 * epa_gap, limits.noise}));
   // If the search ended without a polytope around the origin, the depth is 0: the bodies touch there.
   const bool touching = least.contact.size == 0 ||
-                        !(combination(least.contact).norm() <= std::max(least.upper, 0.0) + limits.noise);
+                        !(norm(combination(least.contact)) <= std::max(least.upper, 0.0) + limits.noise);
   fill_penetration(out, a, b, options, cso, least.lower + R, least.upper + R, least.n,
                    touching ? simplex : least.contact, least.n);
   return out;

@@ -19,8 +19,8 @@ template <Scalar S>
 S last_contact(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& counters) {
   const Vec3<S>& r = cso.direction();
   ++counters.supports;
-  const S reach = r.dot(cso.support(r).w) + (cso.radius() + limits.noise) * r.norm();
-  return std::min(limits.s_max, reach / r.squaredNorm());
+  const S reach = dot(r, cso.support(r).w) + fl((cso.radius() + limits.noise) * norm(r));
+  return std::min(limits.s_max, reach / squared_norm(r));
 }
 
 template <Scalar S>
@@ -37,12 +37,12 @@ template <Scalar S>
 [[nodiscard]] bool goes_to_the_end(const Cso<S>& cso, const SweepLimits<S>& limits, S s_end, S gap,
                                    Vec3<S>& n, Counters& counters) {
   const Vec3<S>& r = cso.direction();
-  const S rate = n.dot(r), least = 16 * kUnitRoundoff<S> * n.cwiseAbs().sum() * r.cwiseAbs().maxCoeff();
+  const S rate = dot(n, r), least = 16 * kUnitRoundoff<S> * norm_1(n) * r.cwiseAbs().maxCoeff();
   if (!(limits.s_max > s_end) || rate > least) return true;
-  if (gap + limits.s_max * (rate - least) > 0) return true;
-  const Vec3<S> tilted = unit(Vec3<S>(n + ((4 * least - rate) / r.squaredNorm()) * r));
+  if (gap + fl(limits.s_max * (rate - least)) > 0) return true;
+  const Vec3<S> tilted = unit(Vec3<S>(n + ((4 * least - rate) / squared_norm(r)) * r));
   ++counters.supports;
-  if (!(tilted.dot(r) > 2 * least) || !(tilted.dot(cso.support(tilted).w) + cso.radius() < 0)) return false;
+  if (!(dot(tilted, r) > 2 * least) || !(dot(tilted, cso.support(tilted).w) + cso.radius() < 0)) return false;
   n = tilted;
   return true;
 }
@@ -192,12 +192,12 @@ SweptOverlapResult<S> swept_overlap(const Body<S>& a, const Body<S>& b,
   if (options.method == SweptMethod::gjk) {
     detail::swept_by_distance(out, cso, limits, s_end, [&](const Vec3<S>& n) {
       const detail::CsoPoint<S> p = cso.support(n);
-      return n.dot(sweep) > 0 ? moved(p) : p;
+      return detail::dot(n, sweep) > 0 ? moved(p) : p;
     });
   } else {
     detail::swept_by_distance(out, cso, limits, s_end, [&](const Vec3<S>& n) {
       const detail::CsoPoint<S> before = cso.support(n), after = moved(cso.support(n));
-      return n.dot(after.w) > n.dot(before.w) ? after : before;
+      return detail::dot(n, after.w) > detail::dot(n, before.w) ? after : before;
     });
   }
   return out;

@@ -71,9 +71,9 @@ class RayTarget {
   [[nodiscard, gnu::always_inline]] Triple to_own(const Triple& n) const {
     double i = n.x, j = n.y, k = n.z;
     if (turned_) {
-      i = n.x * row_[0].x + (n.y * row_[1].x + n.z * row_[2].x);
-      j = n.x * row_[0].y + (n.y * row_[1].y + n.z * row_[2].y);
-      k = n.x * row_[0].z + (n.y * row_[1].z + n.z * row_[2].z);
+      i = fl(n.x * row_[0].x) + (fl(n.y * row_[1].x) + fl(n.z * row_[2].x));
+      j = fl(n.x * row_[0].y) + (fl(n.y * row_[1].y) + fl(n.z * row_[2].y));
+      k = fl(n.x * row_[0].z) + (fl(n.y * row_[1].z) + fl(n.z * row_[2].z));
     }
     return {i, j, k};
   }

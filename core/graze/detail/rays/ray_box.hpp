@@ -49,7 +49,7 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
   const double slack = late_in * all;
   std::array<double, 3> x, n{};
   for (int i = 0; i < 3; ++i) {
-    x[std::size_t(i)] = ray.o[i] + enter * ray.w[i];
+    x[std::size_t(i)] = ray.o[i] + fl(enter * ray.w[i]);
     if (i != axis && !(h[i] - std::abs(x[std::size_t(i)]) > slack)) return;
   }
   if (!(enter > late_in && enter + late_in < ray.t_max)) return;
@@ -76,7 +76,7 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
   }
   // In units of its speed the box is c +- d along each axis.
   const Triple one{1 / w.x, 1 / w.y, 1 / w.z}, per = magnitude(one);
-  const Triple c{-o.x * one.x, -o.y * one.y, -o.z * one.z}, d{h.x * per.x, h.y * per.y, h.z * per.z};
+  const Triple c = -scaled_by_axis(o, one), d = scaled_by_axis(h, per);
   const Triple in = c - d, leave = c + d, late = (1.01 * ray.predicate_error) * per;
   const Triple in_low = in - late, in_high = in + late, out_low = leave - late, out_high = leave + late;
   const double enter_low = greater(greater(in_low.x, in_low.y), in_low.z),
@@ -97,9 +97,9 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
   out.n.x = is_x ? x : 0;
   out.n.y = is_y ? y : 0;
   out.n.z = is_z ? z : 0;
-  out.x.x = is_x ? x * h.x : o.x + t * w.x;
-  out.x.y = is_y ? y * h.y : o.y + t * w.y;
-  out.x.z = is_z ? z * h.z : o.z + t * w.z;
+  out.x.x = is_x ? x * h.x : o.x + fl(t * w.x);
+  out.x.y = is_y ? y * h.y : o.y + fl(t * w.y);
+  out.x.z = is_z ? z * h.z : o.z + fl(t * w.z);
 }
 
 }}}  // namespace graze::GRAZE_LINKAGE::detail

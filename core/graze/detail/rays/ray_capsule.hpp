@@ -13,7 +13,7 @@ struct RayCapsule {
 
   [[nodiscard]] double reach() const { return radius + half_height; }
   [[nodiscard]] double support(const Triple& n) const {
-    return half_height * std::abs(n.z) + radius * std::sqrt(dot(n, n));
+    return fl(half_height * std::abs(n.z)) + fl(radius * std::sqrt(dot(n, n)));
   }
   [[nodiscard]] bool contains(const Triple& x, double e) const {
     const Triple q = from_core(x);
@@ -27,16 +27,16 @@ struct RayCapsule {
   }
   [[nodiscard]] RayEntry enter(const Triple& p, const Triple& w) const {
     if (!(half_height > 0)) return enter_ball(p, w, 0);
-    const double a = w.x * w.x + w.y * w.y;
+    const double a = fl(w.x * w.x) + fl(w.y * w.y);
     if (!(a > 0)) {
-      if (p.x * p.x + p.y * p.y > radius * radius) return {true, 0, {p.x, p.y, 0}};
+      if (fl(p.x * p.x) + fl(p.y * p.y) > radius * radius) return {true, 0, {p.x, p.y, 0}};
       return enter_ball(p, w, std::copysign(half_height, -w.z));
     }
-    const double across = p.x * w.y - p.y * w.x, middle = -(p.x * w.x + p.y * w.y) / a;
-    const double square = a * radius * radius - across * across;
-    if (square < 0) return {true, 0, {p.x + middle * w.x, p.y + middle * w.y, 0}};
-    const double t = middle - std::sqrt(square) / a, z = p.z + t * w.z;
-    if (std::abs(z) <= half_height) return {false, t, {p.x + t * w.x, p.y + t * w.y, 0}};
+    const double across = fl(p.x * w.y) - fl(p.y * w.x), middle = -(fl(p.x * w.x) + fl(p.y * w.y)) / a;
+    const double square = fl(a * radius * radius) - fl(across * across);
+    if (square < 0) return {true, 0, {p.x + fl(middle * w.x), p.y + fl(middle * w.y), 0}};
+    const double t = middle - std::sqrt(square) / a, z = p.z + fl(t * w.z);
+    if (std::abs(z) <= half_height) return {false, t, {p.x + fl(t * w.x), p.y + fl(t * w.y), 0}};
     return enter_ball(p, w, std::copysign(half_height, z));
   }
 
@@ -49,7 +49,7 @@ struct RayCapsule {
     const Triple q{p.x, p.y, p.z - z};
     const double ww = dot(w, w), t0 = -dot(q, w) / ww;
     const Triple near = q + t0 * w;
-    const double square = radius * radius - dot(near, near);
+    const double square = fl(radius * radius) - dot(near, near);
     if (square < 0) return {true, 0, near};
     const double t = t0 - std::sqrt(square / ww);
     return {false, t, q + t * w};

@@ -16,15 +16,16 @@ struct RayCone {
 
   [[nodiscard]] double reach() const { return radius + half_height; }
   [[nodiscard]] double support(const Triple& n) const {
-    return greater(half_height * n.z, radius * std::sqrt(n.x * n.x + n.y * n.y) - half_height * n.z);
+    return greater(half_height * n.z,
+                   fl(radius * std::sqrt(fl(n.x * n.x) + fl(n.y * n.y))) - fl(half_height * n.z));
   }
   [[nodiscard]] bool contains(const Triple& x, double e) const {
-    const double inward = slope * (half_height - x.z) - std::sqrt(x.x * x.x + x.y * x.y);
-    return inward >= e * std::sqrt(1 + slope * slope) && x.z - e >= -half_height;
+    const double inward = fl(slope * (half_height - x.z)) - std::sqrt(fl(x.x * x.x) + fl(x.y * x.y));
+    return inward >= e * std::sqrt(1 + fl(slope * slope)) && x.z - e >= -half_height;
   }
   [[nodiscard]] Triple nearest(const Triple& x) const {
     const double z = greater(lesser(x.z, half_height), -half_height), most = slope * (half_height - z);
-    const double out = std::sqrt(x.x * x.x + x.y * x.y), inward = out > most ? most / out : 1.0;
+    const double out = std::sqrt(fl(x.x * x.x) + fl(x.y * x.y)), inward = out > most ? most / out : 1.0;
     return {inward * x.x, inward * x.y, z};
   }
   [[nodiscard]] RayEntry enter(const Triple& p, const Triple& w) const {
@@ -32,11 +33,13 @@ struct RayCone {
     const Triple from_apex{p.x, p.y, p.z - half_height};
     const double t0 = -dot(from_apex, w) / dot(w, w), kk = slope * slope;
     const Triple q = from_apex + t0 * w;
-    const double across = q.x * w.y - q.y * w.x, y0 = w.z * q.x - q.z * w.x, y1 = w.z * q.y - q.z * w.y;
-    const double a = w.x * w.x + w.y * w.y, A = a - kk * w.z * w.z;
-    const double square = kk * (y0 * y0 + y1 * y1) - across * across;
+    const double across = fl(q.x * w.y) - fl(q.y * w.x), y0 = fl(w.z * q.x) - fl(q.z * w.x),
+                 y1 = fl(w.z * q.y) - fl(q.z * w.y);
+    const double a = fl(w.x * w.x) + fl(w.y * w.y), A = a - fl(kk * w.z * w.z);
+    const double square = fl(kk * (fl(y0 * y0) + fl(y1 * y1))) - fl(across * across);
     if (square < 0) return passes_side(w, a, A, across);
-    const double B = (q.x * w.x + q.y * w.y) - kk * q.z * w.z, C = (q.x * q.x + q.y * q.y) - kk * q.z * q.z;
+    const double B = (fl(q.x * w.x) + fl(q.y * w.y)) - fl(kk * q.z * w.z),
+                 C = (fl(q.x * q.x) + fl(q.y * q.y)) - fl(kk * q.z * q.z);
     const double sum = -(B + std::copysign(std::sqrt(square), B));
     const double first = C / sum, second = sum / A;
     double side = lesser(first, second), exit = greater(first, second);
@@ -44,7 +47,7 @@ struct RayCone {
       // One part in either half. The lower one's is where the line goes down.
       side = w.z < 0 ? exit : -kFar;
       exit = w.z < 0 ? kFar : lesser(first, second);
-    } else if (!(q.z + 0.5 * (side + exit) * w.z <= 0)) {
+    } else if (!(q.z + fl(0.5 * (side + exit) * w.z) <= 0)) {
       return passes_above(w, a, A, across);
     }
     double enter = side;
@@ -56,8 +59,8 @@ struct RayCone {
       return {true, 0, {0, 0, -1}};
     }
     if (enter > side) return {false, t0 + enter, {0, 0, -1}};
-    const double x = q.x + enter * w.x, y = q.y + enter * w.y;
-    return {false, t0 + enter, {x, y, slope * std::sqrt(x * x + y * y)}};
+    const double x = q.x + fl(enter * w.x), y = q.y + fl(enter * w.y);
+    return {false, t0 + enter, {x, y, slope * std::sqrt(fl(x * x) + fl(y * y))}};
   }
 
  private:
@@ -65,7 +68,7 @@ struct RayCone {
   [[nodiscard]] RayEntry passes_side(const Triple& w, double a, double A, double across) const {
     if (!(A >= 0)) return {true, 0, {0, 0, 0}};
     const double along = -slope * w.z / a, beside = std::copysign(std::sqrt(A), across) / a;
-    return {true, 0, {along * w.x + beside * w.y, along * w.y - beside * w.x, slope}};
+    return {true, 0, {fl(along * w.x) + fl(beside * w.y), fl(along * w.y) - fl(beside * w.x), slope}};
   }
   // A level line above the apex, or one that meets the upper half alone.
   [[nodiscard]] RayEntry passes_above(const Triple& w, double a, double A, double across) const {
@@ -73,8 +76,8 @@ struct RayCone {
     return passes_side(w, a, A, across);
   }
   [[nodiscard]] static RayEntry passes_rim(const Triple& q, const Triple& w, double t) {
-    const double x = q.x + t * w.x, y = q.y + t * w.y;
-    return {true, 0, {x, y, -(x * w.x + y * w.y) / w.z}};
+    const double x = q.x + fl(t * w.x), y = q.y + fl(t * w.y);
+    return {true, 0, {x, y, -(fl(x * w.x) + fl(y * w.y)) / w.z}};
   }
 };
 

@@ -14,27 +14,27 @@ struct RayCylinder {
 
   [[nodiscard]] double reach() const { return radius + half_height; }
   [[nodiscard]] double support(const Triple& n) const {
-    return half_height * std::abs(n.z) + radius * std::sqrt(n.x * n.x + n.y * n.y);
+    return fl(half_height * std::abs(n.z)) + fl(radius * std::sqrt(fl(n.x * n.x) + fl(n.y * n.y)));
   }
   [[nodiscard]] bool contains(const Triple& x, double e) const {
     const double inner = radius - e;
-    return inner > 0 && x.x * x.x + x.y * x.y <= inner * inner && std::abs(x.z) + e <= half_height;
+    return inner > 0 && fl(x.x * x.x) + fl(x.y * x.y) <= inner * inner && std::abs(x.z) + e <= half_height;
   }
   [[nodiscard]] Triple nearest(const Triple& x) const {
-    const double out = std::sqrt(x.x * x.x + x.y * x.y), inward = out > radius ? radius / out : 1.0;
+    const double out = std::sqrt(fl(x.x * x.x) + fl(x.y * x.y)), inward = out > radius ? radius / out : 1.0;
     return {inward * x.x, inward * x.y, greater(lesser(x.z, half_height), -half_height)};
   }
   [[nodiscard]] RayEntry enter(const Triple& p, const Triple& w) const {
     constexpr double kFar = std::numeric_limits<double>::infinity();
     double enter = -kFar, exit = kFar, side = -kFar;
-    if (const double a = w.x * w.x + w.y * w.y; a > 0) {
-      const double across = p.x * w.y - p.y * w.x, middle = -(p.x * w.x + p.y * w.y) / a;
-      const double square = a * radius * radius - across * across;
-      if (square < 0) return {true, 0, {p.x + middle * w.x, p.y + middle * w.y, 0}};
+    if (const double a = fl(w.x * w.x) + fl(w.y * w.y); a > 0) {
+      const double across = fl(p.x * w.y) - fl(p.y * w.x), middle = -(fl(p.x * w.x) + fl(p.y * w.y)) / a;
+      const double square = fl(a * radius * radius) - fl(across * across);
+      if (square < 0) return {true, 0, {p.x + fl(middle * w.x), p.y + fl(middle * w.y), 0}};
       const double half = std::sqrt(square) / a;
       enter = side = middle - half;
       exit = middle + half;
-    } else if (p.x * p.x + p.y * p.y > radius * radius) {
+    } else if (fl(p.x * p.x) + fl(p.y * p.y) > radius * radius) {
       return {true, 0, {p.x, p.y, 0}};
     }
     if (w.z != 0) {
@@ -47,13 +47,13 @@ struct RayCylinder {
       return {true, 0, {0, 0, p.z}};
     }
     if (enter > side) return {false, enter, {0, 0, -w.z}};
-    return {false, enter, {p.x + enter * w.x, p.y + enter * w.y, 0}};
+    return {false, enter, {p.x + fl(enter * w.x), p.y + fl(enter * w.y), 0}};
   }
 
  private:
   [[nodiscard]] static RayEntry passes_rim(const Triple& p, const Triple& w, double t) {
-    const double x = p.x + t * w.x, y = p.y + t * w.y;
-    return {true, 0, {x, y, -(x * w.x + y * w.y) / w.z}};
+    const double x = p.x + fl(t * w.x), y = p.y + fl(t * w.y);
+    return {true, 0, {x, y, -(fl(x * w.x) + fl(y * w.y)) / w.z}};
   }
 };
 

@@ -18,7 +18,7 @@ struct RayEllipsoid {
   }
   [[nodiscard]] bool contains(const Triple& x, double e) const {
     const Triple y = times(per, x);
-    const double inner = 1 - e * largest(per);
+    const double inner = 1 - fl(e * largest(per));
     return inner > 0 && dot(y, y) <= inner * inner;
   }
   [[nodiscard]] Triple nearest(const Triple& x) const {

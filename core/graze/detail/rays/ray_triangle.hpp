@@ -43,7 +43,7 @@ inline void clip_triangle(const std::array<Triple, 3>& own, const Ray& ray, RayH
   }
   out.t = height / rate;
   const double late =
-      1.01 * (height_doubt + out.t * 3 * predicate_error) / (std::abs(rate) - 3 * predicate_error);
+      1.01 * (height_doubt + fl(out.t * 3 * predicate_error)) / (std::abs(rate) - fl(3 * predicate_error));
   if (!(std::abs(rate) > 4 * predicate_error)) return;
   if (out.t - late > ray.t_max) {
     out.kind = Kind::miss;

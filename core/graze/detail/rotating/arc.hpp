@@ -18,6 +18,7 @@
 //   If the lowest points stay on the axis of rotation, they cost nothing, however the other points move.
 #pragma once
 
+#include <graze/detail/numeric/sine_cosine.hpp>
 #include <graze/detail/rotating/moving_pair.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
@@ -32,12 +33,12 @@ struct AxisArc {
     if (!by.turns()) return;
     axis = graze::unit(by.w);
     phi = by.rate * h / 2;
-    const double half = std::sin(phi / 2);
-    raise = 2 * half * half / std::cos(phi) * (1 + 16 * kUnitRoundoff<double>);
+    const double half = rounded_sine_cosine(phi / 2).sine;
+    raise = 2 * half * half / rounded_sine_cosine(phi).cosine * (1 + 16 * kUnitRoundoff<double>);
   }
   // From the axis in the middle of the arc to the meeting point of the tangents.
   [[nodiscard]] Vec3<double> tangents_meet(const Vec3<double>& n) const {
-    return n + raise * (n - n.dot(axis) * axis);
+    return n + raise * (n - dot(n, axis) * axis);
   }
 };
 
@@ -72,26 +73,27 @@ inline double bend_of_arc(MovingPair& pair, AxisFrame frame, const Vec3<double>&
                        x_b = side_b.to_world(
                            side_b.support(side_b, side_b.to_own(Vec3<double>(-d_b)), nullptr).x);
     error = std::max(error, 2 * pair.error() + pair.frame_error(frame) +
-                                32 * u *
-                                    (pair.center_a().norm() + pair.center_b().norm() +
-                                     pair.pivot_b_now().norm() + way.norm()));
+                                fl(32 * u *
+                                   (norm(pair.center_a()) + norm(pair.center_b()) + norm(pair.pivot_b_now()) +
+                                    norm(way))));
     // Along a rotating axis, the pivots do not separate evenly. The second derivative of n.(difference of the pivots)
     // is at most 2 |n'| |v| + |n''| |v| h / 2.
     if (frame != AxisFrame::world) {
       const Mobility& m = frame == AxisFrame::a ? m_a : m_b;
       rotation_displacement = std::max(
-          rotation_displacement, m.across(n) * (2 + m.rate * h / 2) * pair.velocity().norm() * (1 + 64 * u));
+          rotation_displacement, m.across(n) * (2 + m.rate * h / 2) * norm(pair.velocity()) * (1 + 64 * u));
     }
-    return std::pair(d_a.dot(x_a + pair.center_a() - pivot_a), d_b.dot(x_b + pair.center_b() - pivot_b));
+    return std::pair(dot(d_a, x_a + pair.center_a() - pivot_a), dot(d_b, x_b + pair.center_b() - pivot_b));
   };
   const auto begin = reach(t_0), middle = reach(t_m), end = reach(t_1);
-  error += 2 * u * t_1 * pair.top_speed();
+  error += fl(2 * u * t_1 * pair.top_speed());
   const auto bend = [&](const AxisArc& x, double p_0, double p_m, double p_1) {
     if (x.phi == 0) return 0.0;
-    return std::max(0.0, (p_0 + p_1) / 2 - p_m + 2 * error) / 2 + 0.09 * x.phi * x.phi * std::abs(p_1 - p_0);
+    return std::max(0.0, (p_0 + p_1) / 2 - p_m + 2 * error) / 2 +
+           fl(0.09 * x.phi * x.phi * std::abs(p_1 - p_0));
   };
   return bend(a, -begin.first, -middle.first, -end.first) + bend(b, begin.second, middle.second, end.second) +
-         rotation_displacement * h * h / 8 * (1 + 0x1p-40);
+         fl(rotation_displacement * h * h / 8 * (1 + 0x1p-40));
 }
 
 }}}  // namespace graze::GRAZE_LINKAGE::detail

@@ -89,7 +89,7 @@ class PublishedBilateral {
     ++counters_.supports;
     const Vec3<double> n = axis();
     pair = pair_.cso().support(n);
-    return -n.dot(pair.w) - pair_.radius();
+    return -dot(n, pair.w) - pair_.radius();
   }
   // The separation of one pair of points at t.
   double separation(double t, const CsoPoint<double>& pair) {
@@ -100,7 +100,7 @@ class PublishedBilateral {
     const auto& b = cso.side_b();
     const Vec3<double> x_a = a.support(a, a.to_own(n), &pair.vertex_a).x;
     const Vec3<double> x_b = b.support(b, b.to_own(Vec3<double>(-n)), &pair.vertex_b).x;
-    return n.dot(b.to_world(x_b) + cso.offset() - a.to_world(x_a)) - pair_.radius();
+    return dot(n, b.to_world(x_b) + cso.offset() - a.to_world(x_a)) - pair_.radius();
   }
 
   double advance(double t_1) {

@@ -33,7 +33,7 @@ inline double contact_error(const MovingPair& pair) {
   const Cso<double>& cso = pair.cso();
   constexpr double u = kUnitRoundoff<double>;
   return 2 * cso.point_error() + (cso.curved() ? 2 * kInsideTree * u * cso.extent() : 0.0) +
-         8 * u * (pair.radius() + cso.offset().norm()) + pair.offset_error();
+         fl(8 * u * (pair.radius() + norm(cso.offset()))) + pair.offset_error();
 }
 
 // det(a, b, c), within u of itself and 2^-96 |a| |b| |c|.
@@ -60,14 +60,14 @@ inline double depth_inside(const std::array<Vec3<double>, 4>& w) {
   double least = kInfinity<double>, side = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec3<double>&a = w[(i + 1) % 4], &b = w[(i + 2) % 4], &c = w[(i + 3) % 4];
-    const double area = face_normal(a, b, c).norm();
-    const double longest = std::max({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()});
+    const double area = norm(face_normal(a, b, c));
+    const double longest = std::max({squared_norm(a - b), squared_norm(b - c), squared_norm(c - a)});
     if (!(area > 64 * u * longest)) return -1;
     const double volume = (i % 2 == 0 ? 1 : -1) * determinant(a, b, c);
     if (!(volume * side >= 0)) return -1;
     side = volume;
-    const double known = std::abs(volume) - 0x1p-90 * a.norm() * b.norm() * c.norm();
-    least = std::min(least, known / (area + 8 * u * longest) * (1 - 16 * u));
+    const double known = std::abs(volume) - fl(0x1p-90 * norm(a) * norm(b) * norm(c));
+    least = std::min(least, known / (area + fl(8 * u * longest)) * (1 - 16 * u));
   }
   return least;
 }
@@ -88,15 +88,15 @@ inline double deepen(const Cso<double>& cso, Simplex<double>& four, double e, Co
       const Vec3<double>&a = four.point[(i + 1) % 4].w, &b = four.point[(i + 2) % 4].w,
             &c = four.point[(i + 3) % 4].w;
       const Vec3<double> m = face_normal(a, b, c);
-      const double area = m.norm(), height = std::abs(determinant(a, b, c)) / area;
+      const double area = norm(m), height = std::abs(determinant(a, b, c)) / area;
       if (!(height < least)) continue;
       least = height;
-      out = (m.dot(four.point[i].w - a) > 0 ? -1 : 1) / area * m;
+      out = (dot(m, four.point[i].w - a) > 0 ? -1 : 1) / area * m;
     }
     if (out == Vec3<double>::Zero()) return best;
     ++counters.supports;
     const CsoPoint<double> beyond = cso.support(out);
-    if (!(out.dot(beyond.w) > e)) return best;
+    if (!(dot(out, beyond.w) > e)) return best;
     const Simplex<double> before = four;
     const double depth = best;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -119,7 +119,7 @@ inline void add_above(const Cso<double>& cso, Simplex<double>& three, Counters& 
   const Vec3<double> n = unit(m);
   counters.supports += 2;
   const CsoPoint<double> above = cso.support(n), below = cso.support(Vec3<double>(-n));
-  three.add(n.dot(above.w - a) > n.dot(a - below.w) ? above : below);
+  three.add(dot(n, above.w - a) > dot(n, a - below.w) ? above : below);
 }
 
 // For two points with the origin between them, as on bodies that meet along a common axis of revolution. Adds
@@ -206,7 +206,7 @@ inline double surround_by_mean(const CornersAround& all, Contact& found) {
       for (std::size_t i = 0; i < 3; ++i) {
         if (i == skip) continue;
         sum += left[i]->w;
-        most = std::max(most, left[i]->w.norm());
+        most = std::max(most, norm(left[i]->w));
       }
       const std::size_t means = skip == kNone ? 3 : 2;
       const Vec3<double> mean = sum / double(means);
@@ -301,7 +301,7 @@ inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint
   if (!out.proved) {
     // Along any axis the origin is no deeper than C reaches.
     ++counters.supports;
-    if (!(n.dot(cso.support(n).w) > e)) return out;
+    if (!(dot(n, cso.support(n).w) > e)) return out;
     out.proved = hold_by_portals(cso, n, depth, e, budget, out, counters);
   }
   out.unweighed = out.proved;

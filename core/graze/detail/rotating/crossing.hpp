@@ -8,7 +8,6 @@
 // 1997. Here the coplanar instant is bracketed, not computed.)
 #pragma once
 
-#include <Eigen/Geometry>  // cross
 #include <graze/detail/rotating/contact.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
@@ -46,22 +45,22 @@ inline bool crosses(MovingPair& pair, const Simplex<double>& triangle, double t_
   const CrossingPoints points = points_of(pair, triangle);
   const auto before = corners_now(pair, points);
   const Vec3<double> m = face_normal(before[0], before[1], before[2]);
-  const double area = m.norm();
-  const double height = m.dot(before[0]) / area;
+  const double area = norm(m);
+  const double height = dot(m, before[0]) / area;
   // Twice the area over an edge is an altitude. The origin's part of it is its distance from the edge. A corner is a
   // point of its body: it also rotates about a solid's own axis, which top_speed() leaves out.
-  const auto turning = [](const Mobility& body) { return body.rate * body.rho; };
-  const double fastest =
-      pair.cso().curved() ? turning(pair.mobility_a()) + turning(pair.mobility_b()) + pair.velocity().norm()
-                          : pair.top_speed();
-  const double moved = fastest * (t_2 - t_1) * (1 + 0x1p-40);
+  const auto turning = [](const Mobility& body) { return fl(body.rate * body.rho); };
+  const double fastest = pair.cso().curved()
+                             ? turning(pair.mobility_a()) + turning(pair.mobility_b()) + norm(pair.velocity())
+                             : pair.top_speed();
+  const double moved = fl(fastest * (t_2 - t_1) * (1 + 0x1p-40));
   bool inside = area > 0;
   for (std::size_t i = 0; i < 3 && inside; ++i) {
     const Vec3<double>&a = before[i], &b = before[(i + 1) % 3];
-    const double from_edge = m.dot(a.cross(b)) / (area * (b - a).norm());
+    const double from_edge = dot(m, cross(a, b)) / (area * norm(b - a));
     // m within 8 u longest^2 / area of its direction, a x b within 8 u |a| |b|.
-    const double longest = std::max({(b - a).norm(), a.norm(), b.norm()});
-    const double predicate_error = 64 * kUnitRoundoff<double> * longest * (1 + longest * longest / area);
+    const double longest = std::max({norm(b - a), norm(a), norm(b)});
+    const double predicate_error = fl(64 * kUnitRoundoff<double> * longest * (1 + longest * longest / area));
     inside = from_edge > moved + e + predicate_error;
   }
   if (!inside) return false;
@@ -69,8 +68,8 @@ inline bool crosses(MovingPair& pair, const Simplex<double>& triangle, double t_
   // The height of the plane along n at t_2.
   const auto after = corners_now(pair, points);
   const Vec3<double> m_2 = face_normal(after[0], after[1], after[2]);
-  const double facing = m_2.dot(m) / (m_2.norm() * area);
-  const double height_2 = m_2.dot(after[0]) / m_2.norm();
+  const double facing = dot(m_2, m) / (norm(m_2) * area);
+  const double height_2 = dot(m_2, after[0]) / norm(m_2);
   // Inside the triangle, corners that move by e move the plane's height along n by e / facing at most.
   return facing > 0.875 && std::abs(height) > 2 * e && std::abs(height_2) > 2 * e && height * height_2 < 0;
 }

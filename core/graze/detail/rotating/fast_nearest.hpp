@@ -67,8 +67,8 @@ class FastClosest {
     dist_sq_ = dist_sq;
     n_ = n;
     kept_ = static_cast<int>(index.size());
-    std::ranges::copy(index, index_.begin());
-    std::ranges::copy(lambda, lambda_.begin());
+    std::copy(index.begin(), index.end(), index_.begin());
+    std::copy(lambda.begin(), lambda.end(), lambda_.begin());
   }
   void vertex(std::size_t a) {
     const double dist_sq = dot(y_[a], y_[a]);
@@ -109,7 +109,7 @@ class FastClosest {
     const Triple bc = cross(db, dc), ca = cross(dc, da), ab = cross(da, db);
     const double volume = dot(bc, da), sign = volume < 0 ? -1 : 1;
     const double la = -sign * dot(bc, d), lb = -sign * dot(ca, d), lc = -sign * dot(ab, d),
-                 ld = sign * volume - (la + lb + lc);
+                 ld = fl(sign * volume) - (la + lb + lc);
     if (la > 0 && lb > 0 && lc > 0 && ld > 0) {
       // As closest_inside() in search/robust/simplex.hpp.
       const double predicate_error =
@@ -174,7 +174,7 @@ inline bool fast_distance(const Cso<double>& cso, Simplex<double>& simplex, doub
     const Vec3<double> n = (1 / std::sqrt(length_sq)) * closest.n().vector();
     const CsoPoint<double> next = cso.support(n);
     ++counters.supports;
-    const double lower = -n.dot(next.w);
+    const double lower = -dot(n, next.w);
     if (lower > out.lower) {
       out.lower = lower;
       out.n = n;

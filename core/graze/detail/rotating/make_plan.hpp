@@ -34,7 +34,7 @@ Plan plan_without_rotation(const RotatingBody<S>& a, const RotatingBody<S>& b, c
 inline double swing_as_one(const MovingPair& pair, double t_end) {
   const Mobility &a = pair.mobility_a(), &b = pair.mobility_b();
   if (a.w != b.w || pair.velocity() != Vec3<double>::Zero()) return kInfinity<double>;
-  const double across = pair.pivot_drift(a) / a.w.norm() * (1 + 8 * kUnitRoundoff<double>);
+  const double across = pair.pivot_drift(a) / norm(a.w) * (1 + 8 * kUnitRoundoff<double>);
   return std::min(a.rate * t_end, 2.0) * across;
 }
 

@@ -161,7 +161,7 @@ class Marcher {
   // the bodies have approached by their distance, a quarter of it for the terms that are not linear in time, and 4
   // stops for the rounding of a proof.
   bool closes_in_hand() {
-    const double apart = now_.near.apart, way = 1.25 * apart + 4 * limits_.stop;
+    const double apart = now_.near.apart, way = fl(1.25 * apart) + 4 * limits_.stop;
     if (!(way <= limits_.width && now_.t > 0)) return false;
     // The pair returns to its time, so that the march continues as without a tolerance, to the bit.
     const double placed = pair_.time();
@@ -181,7 +181,7 @@ class Marcher {
       Vec3<double> sum = Vec3<double>::Zero();
       for (std::size_t i = 0; i < static_cast<std::size_t>(found.pairs.size); ++i)
         sum += found.pairs.lambda[i] * found.pairs.point[i].w;
-      found.proved = sum.norm() * (1 + 8 * kUnitRoundoff<double>)+contact_error(pair_) <= pair_.radius();
+      found.proved = fl(norm(sum) * (1 + 8 * kUnitRoundoff<double>)) + contact_error(pair_) <= pair_.radius();
     } else if (crosses(pair_, now_.near.simplex, now_.t, t)) {
       found.proved = found.crossing = true;
       found.pairs = now_.near.simplex;
@@ -278,7 +278,7 @@ class Marcher {
   [[nodiscard]] bool supports(const Vec3<double>& n) {
     if (n == Vec3<double>::Zero()) return false;
     ++counters_.supports;
-    return n.dot(pair_.cso().support(n).w) + pair_.radius() <= limits_.stop;
+    return dot(n, pair_.cso().support(n).w) + pair_.radius() <= limits_.stop;
   }
 
   // From here on, does the axis keep the bodies from being deeper in each other than the stop? Then no later contact is

@@ -21,7 +21,7 @@
 // tests/bounds checks each against ball arithmetic.
 #pragma once
 
-#include <Eigen/Geometry>  // cross
+#include <graze/detail/numeric/sine_cosine.hpp>
 #include <graze/detail/pairs/side.hpp>
 #include <graze/rotating_body.hpp>
 
@@ -37,9 +37,9 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 // Components of r are 0 or above 2^-200, so products are exact unless a component of l is below 2^-700. Such a part
 // of l is counted whole.
 inline double length_of_cross(const Vec3<double>& l, const Vec3<double>& r) {
-  const double l_sq = l.squaredNorm(), r_sq = r.squaredNorm();
+  const double l_sq = squared_norm(l), r_sq = squared_norm(r);
   if (l_sq > 0x1p-400 && l_sq < 0x1p400 && r_sq > 0x1p-400 && r_sq < 0x1p400) {
-    const double length_sq = l.cross(r).squaredNorm();
+    const double length_sq = squared_norm(cross(l, r));
     if (length_sq > 0x1p-20 * (l_sq * r_sq)) return std::sqrt(length_sq) * (1 + 0x1p-40);
   }
   constexpr double kExact = 0x1p-700;
@@ -51,9 +51,8 @@ inline double length_of_cross(const Vec3<double>& l, const Vec3<double>& r) {
     c[i] = std::abs(difference.hi);
     if (l[i] != 0 && std::abs(l[i]) < kExact) vanishing = 4 * kExact;
   }
-  const double most = c.maxCoeff(), size = r.cwiseAbs().maxCoeff();
-  const double length = most > 0 ? most * (c / most).norm() : 0.0;
-  return (length + vanishing * size) * (1 + 12 * kUnitRoundoff<double>);
+  const double size = r.cwiseAbs().maxCoeff();
+  return (scaled_norm(c) + fl(vanishing * size)) * (1 + 12 * kUnitRoundoff<double>);
 }
 
 struct Mobility {
@@ -77,7 +76,7 @@ struct Mobility {
   [[nodiscard]] double speed(const Vec3<double>& n) const {
     if (!turns()) return 0;
     const double sine = across(n), plain = sine * rho;
-    return revolves ? std::min(plain, sine * center_rho + tilt_rate * revolved_reach) : plain;
+    return revolves ? std::min(plain, fl(sine * center_rho) + fl(tilt_rate * revolved_reach)) : plain;
   }
   [[nodiscard]] double acceleration(const Vec3<double>& n) const { return acceleration_for(across(n)); }
   // The same for an n for which |n x w| is known. If n moves evenly, by axis_rate per unit of t, the second
@@ -86,27 +85,28 @@ struct Mobility {
     if (!turns()) return 0;
     const double sine = rate * (across + 2 * axis_rate), plain = sine * rho;
     if (!revolves) return plain;
-    return std::min(plain,
-                    sine * center_rho + tilt_rate * (tilt_rate + own_rate + 2 * axis_rate) * revolved_reach);
+    return std::min(plain, fl(sine * center_rho) +
+                               fl(tilt_rate * (tilt_rate + own_rate + 2 * axis_rate) * revolved_reach));
   }
   // Largest displacement of the body as a set due to its rotation within time t.
   [[nodiscard]] double rotation_displacement(double t) const {
     if (!turns()) return 0;
     const double chord = std::min(rate * t, 2.0);
     if (!revolves) return chord * rho;
-    return chord * std::min(rho, center_rho + tilt_rate / rate * revolved_reach);
+    return chord * std::min(rho, center_rho + fl(tilt_rate / rate * revolved_reach));
   }
   // Largest acceleration of any point of the body as a set, along any n.
   [[nodiscard]] double top_acceleration() const {
     if (!turns()) return 0;
     const double plain = rate * rate * rho;
-    return revolves ? std::min(plain,
-                               rate * rate * center_rho + tilt_rate * (tilt_rate + own_rate) * revolved_reach)
+    return revolves ? std::min(plain, fl(rate * rate * center_rho) +
+                                          fl(tilt_rate * (tilt_rate + own_rate) * revolved_reach))
                     : plain;
   }
   [[nodiscard]] double top_speed() const {
     if (!turns()) return 0;
-    return revolves ? std::min(rate * rho, rate * center_rho + tilt_rate * revolved_reach) : rate * rho;
+    return revolves ? std::min(rate * rho, fl(rate * center_rho) + fl(tilt_rate * revolved_reach))
+                    : rate * rho;
   }
 };
 
@@ -226,8 +226,8 @@ double beyond_bounds(const Shape<S>& shape, const Bounds& bounds) {
   if (!is_combined(shape)) return 0;
   const TreeRounding own = tree_rounding(shape, Turning::accurate);
   return 2 * (kUnitRoundoff<double> *
-                  (own.point + own.choice + 8 * (bounds.half + bounds.middle.cwiseAbs()).sum()) +
-              3 * kTwoDoublesOfANode * nodes_of<S>(shape) * lengths_of<S>(shape));
+                  (own.point + own.choice + 8 * norm_1(bounds.half + bounds.middle.cwiseAbs())) +
+              fl(3 * kTwoDoublesOfANode * nodes_of<S>(shape) * lengths_of<S>(shape)));
 }
 
 // Error of the quantities computed from an arm. A rotated vector is within 0.6 sqrt(3) u and a product's 3 u. A cross
@@ -238,7 +238,7 @@ inline constexpr double kMobilityRounding = 16;
 inline double reach_at_rest(const Bounds& bounds, double beyond, const Vec3<double>& from) {
   const Arm middle(bounds.center, bounds.middle, from);
   const Vec3<double> most = bounds.half + middle.x.cwiseAbs();
-  return (most.norm() + middle.lost + beyond) * (1 + kMobilityRounding * kUnitRoundoff<double>);
+  return (norm(most) + middle.lost + beyond) * (1 + kMobilityRounding * kUnitRoundoff<double>);
 }
 
 // unit: the internal length of one world length. `bounds` are those of the unwrapped shape. pivot: the centre of
@@ -252,7 +252,7 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
   const double beyond = beyond_bounds<S>(shape, bounds);
   Mobility out;
   out.w = wide(moving.rotation);
-  out.rate = out.w.norm() * raise;
+  out.rate = norm(out.w) * raise;
   if (!out.turns()) {
     out.reach = unit * reach_at_rest(bounds, beyond, pivot);
     return out;
@@ -266,15 +266,15 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
   for_each_outer_point(shape, bounds, [&](const Vec3<double>& base, const Vec3<double>& rest) {
     const Arm own(base, rest, pivot);
     const Vec3<double> arm = turn * own.x;
-    const double slack = noise * own.x.cwiseAbs().sum() + own.lost * raise + beyond;
+    const double slack = fl(noise * norm_1(own.x)) + fl(own.lost * raise) + beyond;
     if (!(beyond == 0 && about.holds(own))) {
-      across_sq = std::max(across_sq, axis.cross(arm).squaredNorm());
+      across_sq = std::max(across_sq, squared_norm(cross(axis, arm)));
       across_slack = std::max(across_slack, slack);
     }
-    arm_sq = std::max(arm_sq, arm.squaredNorm());
+    arm_sq = std::max(arm_sq, squared_norm(arm));
     arm_slack = std::max(arm_slack, slack);
-    out.low = std::min(out.low, unit * (axis.dot(arm) - slack));
-    out.high = std::max(out.high, unit * (axis.dot(arm) + slack));
+    out.low = std::min(out.low, unit * (dot(axis, arm) - slack));
+    out.high = std::max(out.high, unit * (dot(axis, arm) + slack));
   });
   out.rho = unit * (std::sqrt(across_sq) + across_slack);
   out.reach = unit * (std::sqrt(arm_sq) + arm_slack);
@@ -284,20 +284,19 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
     const Arm center(zero, zero, pivot);
     out.revolves = true;
     out.own_rate = out.rate;
-    out.revolved_reach = unit * bounds.half.norm() * raise;
+    out.revolved_reach = unit * norm(bounds.half) * raise;
     out.center_rho =
-        about.holds(center) ? 0.0 : unit * (axis.cross(turn * pivot).norm() + noise * pivot.cwiseAbs().sum());
+        about.holds(center) ? 0.0 : unit * (norm(cross(axis, turn * pivot)) + fl(noise * norm_1(pivot)));
   } else if (const int own = axis_of_revolution<S>(shape); own >= 0) {
     out.revolves = true;
     const Vec3<double> a = turn.col(own);
-    out.tilt_rate = is_along_own_axis(moving, own) ? 0.0 : out.w.cross(a).norm() + noise * out.rate;
-    out.own_rate = std::abs(out.w.dot(a)) * raise + noise * out.rate;
+    out.tilt_rate = is_along_own_axis(moving, own) ? 0.0 : norm(cross(out.w, a)) + fl(noise * out.rate);
+    out.own_rate = fl(std::abs(dot(out.w, a)) * raise) + fl(noise * out.rate);
     Vec3<double> foot = -pivot;  // foot of the pivot on the axis, relative to the pivot
     foot[own] = 0;
-    out.center_rho =
-        foot == zero ? 0.0 : unit * (axis.cross(turn * foot).norm() + noise * foot.cwiseAbs().sum());
+    out.center_rho = foot == zero ? 0.0 : unit * (norm(cross(axis, turn * foot)) + fl(noise * norm_1(foot)));
     const Vec3<double> most = bounds.half + bounds.middle.cwiseAbs() + bounds.center.cwiseAbs();
-    out.revolved_reach = unit * std::hypot(most[(own + 1) % 3], most[own] + std::abs(pivot[own])) * raise;
+    out.revolved_reach = unit * hypotenuse(most[(own + 1) % 3], most[own] + std::abs(pivot[own])) * raise;
   }
   return out;
 }

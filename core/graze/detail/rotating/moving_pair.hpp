@@ -14,7 +14,6 @@
 // Bodies on equal arms about different pivots do not move relative to each other, however long the arms.
 #pragma once
 
-#include <Eigen/Geometry>  // cross
 #include <graze/detail/pairs/cso.hpp>
 #include <graze/detail/rotating/mobility.hpp>
 #include <graze/detail/rotating/turn.hpp>
@@ -72,7 +71,7 @@ class MovingPair {
     prepare(a, cso_.side_a(), unit, a_);
     prepare(b, cso_.side_b(), unit, b_);
     start_lengths_ = unit * (lengths_of(a, cso_.side_a()) + lengths_of(b, cso_.side_b()));
-    lengths_ = start_lengths_ + unit * (a_.pivot.norm() + b_.pivot.norm());
+    lengths_ = start_lengths_ + fl(unit * (norm(a_.pivot) + norm(b_.pivot)));
     pivots_ = scaled_by(start_of_pivot(b, b_) + -start_of_pivot(a, a_), unit);
     a_.swing = pivot_drift(a_.mobility);
     b_.swing = pivot_drift(b_.mobility);
@@ -83,7 +82,7 @@ class MovingPair {
       const TwoDoubles v = two_sum(double(b.body.displacement[k]), -double(a.body.displacement[k]));
       velocity_[i] = {v.hi * unit, v.lo * unit};
     }
-    speed_ = velocity().norm();
+    speed_ = norm(velocity());
     a_.across_velocity = a_.mobility.across(velocity());
     b_.across_velocity = b_.mobility.across(velocity());
     place(0);
@@ -100,7 +99,7 @@ class MovingPair {
     ++poses_;
     stand(oldest_);
     placed_[oldest_].error =
-        cso_.reach_error() + 8 * kUnitRoundoff<double> * (radius_ + cso_.offset().norm()) + offset_error();
+        cso_.reach_error() + 8 * kUnitRoundoff<double> * (radius_ + norm(cso_.offset())) + offset_error();
   }
 
   [[nodiscard]] double time() const { return t_; }
@@ -127,9 +126,9 @@ class MovingPair {
       product[static_cast<int>(i)] =
           (pivots_[j] * TwoDoubles{w_k, 0} + -(pivots_[k] * TwoDoubles{w_j, 0})).hi;
     }
-    return product.stableNorm() * (1 + 16 * kUnitRoundoff<double>)+body.rate * drift_lost();
+    return fl(scaled_norm(product) * (1 + 16 * kUnitRoundoff<double>)) + fl(body.rate * drift_lost());
   }
-  [[nodiscard]] double drift_lost() const { return pivots_error() + 0x1p-96 * pivots().norm(); }
+  [[nodiscard]] double drift_lost() const { return pivots_error() + 0x1p-96 * norm(pivots()); }
   // Vectors from A's pivot to the centres of the sides (cso.hpp) as placed.
   [[nodiscard]] Vec3<double> center_a() const { return rounded_once(now().arm_a); }
   [[nodiscard]] Vec3<double> center_b() const { return rounded_once(now().arm_b); }
@@ -146,7 +145,7 @@ class MovingPair {
   [[nodiscard]] double offset_error() const {
     if (t_ == 0) return 0x1p-96 * start_lengths_;
     const double angle = std::max(a_.mobility.rate, b_.mobility.rate) * t_;
-    return 2 * turn_error(angle) * lengths_ + 0x1p-89 * speed_ * t_;
+    return fl(2 * turn_error(angle) * lengths_) + fl(0x1p-89 * speed_ * t_);
   }
   // A lower bound of min over B of n.b - max over A of n.a, less the target distance, n unit.
   [[nodiscard]] double gap(const Vec3<double>& n, Counters& counters) const {
@@ -155,14 +154,14 @@ class MovingPair {
   }
   // The gap of one point of C.
   [[nodiscard]] double gap_of(const Vec3<double>& w, const Vec3<double>& n) const {
-    return -n.dot(w) - radius_ - error();
+    return -dot(n, w) - radius_ - error();
   }
   // Upper bound of the rate at which the gap along a fixed n shrinks, per unit of t.
   [[nodiscard]] double closing(const Vec3<double>& n) const {
     const Vec3<double> v = velocity();
     const double each = a_.mobility.speed(n) + b_.mobility.speed(n);
-    return (turns_in_common() ? std::min(each, a_.mobility.across(n) * common_rho_) : each) - n.dot(v) +
-           8 * kUnitRoundoff<double> * v.cwiseAbs().sum();
+    return (turns_in_common() ? std::min(each, a_.mobility.across(n) * common_rho_) : each) - dot(n, v) +
+           8 * kUnitRoundoff<double> * norm_1(v);
   }
   // Converts an axis that rotates with a body (frame a or b) from the body's own axes to the world as placed, and
   // back. Each conversion is within 24 u.
@@ -212,20 +211,20 @@ class MovingPair {
     const double raise = 1 + 64 * kUnitRoundoff<double>;
     if (frame == AxisFrame::world)
       return (bend_of_world(across(a_.mobility), across(b_.mobility), axis_rate) +
-              2 * axis_rate * velocity().norm()) *
+              fl(2 * axis_rate * norm(velocity()))) *
              raise;
     return (bend_of(frame, across((frame == AxisFrame::a ? a_ : b_).mobility), t_end) +
-            2 * axis_rate * relative_speed(frame, t_end)) *
+            fl(2 * axis_rate * relative_speed(frame, t_end))) *
            raise;
   }
   // Returns |m_1 - m_0|, where m_i is n_i as above in the frame's axes. Leaves the bodies at t_1.
   [[nodiscard]] double axis_change(AxisFrame frame, const Vec3<double>& n_0, double t_0,
                                    const Vec3<double>& n_1, double t_1) {
-    if (frame == AxisFrame::world) return (n_1 - n_0).norm() * (1 + 8 * kUnitRoundoff<double>);
+    if (frame == AxisFrame::world) return norm(n_1 - n_0) * (1 + 8 * kUnitRoundoff<double>);
     place(t_0);
     const Vec3<double> m_0 = to_own(frame, n_0);
     place(t_1);
-    return (to_own(frame, n_1) - m_0).norm() + 64 * kUnitRoundoff<double>;
+    return norm(to_own(frame, n_1) - m_0) + 64 * kUnitRoundoff<double>;
   }
   // Upper bound of the speed of one body's points as seen in the axes of the other, from the path of its pivot, for
   // times up to t_end. For x above, |x'| <= |w_B - w_A| |p| + |v| + |w_A x c| + |w_A x v| t. The distance of the
@@ -234,7 +233,7 @@ class MovingPair {
     const Mobility &with = frame == AxisFrame::a ? a_.mobility : b_.mobility,
                    &other = frame == AxisFrame::a ? b_.mobility : a_.mobility;
     const Vec3<double> v = velocity();
-    return ((other.w - with.w).norm() * other.reach + v.norm() + drift_until(frame, t_end)) *
+    return (fl(norm(other.w - with.w) * other.reach) + norm(v) + drift_until(frame, t_end)) *
            (1 + 64 * kUnitRoundoff<double>);
   }
   [[nodiscard]] double approach_speed(double t_end) const {
@@ -253,7 +252,7 @@ class MovingPair {
   [[nodiscard]] double top_speed() const {
     const double each = a_.mobility.top_speed() + b_.mobility.top_speed();
     return (turns_in_common() ? std::min(each, a_.mobility.rate * common_rho_) : each) +
-           velocity().norm() * (1 + 8 * kUnitRoundoff<double>);
+           fl(norm(velocity()) * (1 + 8 * kUnitRoundoff<double>));
   }
 
  private:
@@ -300,15 +299,15 @@ class MovingPair {
   // The term |w_A x c| + |w_A x v| t of the bound above.
   [[nodiscard]] double drift_until(AxisFrame frame, double t_end) const {
     const TurningSide& with = frame == AxisFrame::a ? a_ : b_;
-    return with.swing + with.across_velocity * t_end;
+    return with.swing + fl(with.across_velocity * t_end);
   }
   // The bound above for both bodies, with |n x w| of the frame's body given.
   [[nodiscard]] double bend_of(AxisFrame frame, double across_n, double t_end) const {
     const Mobility &with = frame == AxisFrame::a ? a_.mobility : b_.mobility,
                    &other = frame == AxisFrame::a ? b_.mobility : a_.mobility;
     const double across = across_n + 64 * kUnitRoundoff<double> * with.rate;
-    return ((other.w - with.w).norm() * (with.rate + other.rate) * other.reach +
-            across * (2 * velocity().norm() + drift_until(frame, t_end))) *
+    return (fl(norm(other.w - with.w) * (with.rate + other.rate) * other.reach) +
+            fl(across * (2 * norm(velocity()) + drift_until(frame, t_end)))) *
            (1 + 64 * kUnitRoundoff<double>);
   }
   [[nodiscard]] double bend_of_world(double across_a, double across_b, double axis_rate = 0) const {
@@ -322,13 +321,13 @@ class MovingPair {
   [[nodiscard]] double distance_in_common_turn() const {
     const Vec3<double> arms = rounded_once(b_.arm + -a_.arm), axis = unit(a_.mobility.w);
     const double about = cso_.side_a().reach() + cso_.side_b().reach();
-    return (axis.cross(arms).norm() + about + 8 * cso_.point_error()) * (1 + 0x1p-44) +
-           32 * kUnitRoundoff<double> * arms.norm() + 0x1p-96 * lengths_;
+    return fl((norm(cross(axis, arms)) + about + 8 * cso_.point_error()) * (1 + 0x1p-44)) +
+           32 * kUnitRoundoff<double> * norm(arms) + 0x1p-96 * lengths_;
   }
   // The sum of the lengths that give the body's position, without its pivot.
   template <Scalar S>
   static double lengths_of(const RotatingBody<S>& given, const Side<double>& side) {
-    return wide(given.body.position).norm() + side.center.norm();
+    return norm(wide(given.body.position)) + norm(side.center);
   }
   template <Scalar S>
   static TwoDoubles3 start_of_pivot(const RotatingBody<S>& given, const TurningSide& side) {

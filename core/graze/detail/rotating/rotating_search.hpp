@@ -44,7 +44,7 @@ Invalid validate(const RotatingBody<S>& body, S t_max) {
   if (const Invalid one = first_of({check_vector(body.rotation), check_vector(body.pivot)});
       one != Invalid::none)
     return one;
-  const double turned = wide(body.rotation).norm() * static_cast<double>(t_max);
+  const double turned = norm(wide(body.rotation)) * static_cast<double>(t_max);
   return t_max < kInfinity<S> && turned > kMostTurn ? Invalid::out_of_range : Invalid::none;
 }
 
@@ -432,8 +432,8 @@ class RotatingCast {
       // Contact is at upper: the rest of the motion bounds the distance as well.
       apart = std::min(apart, pair_->approach_speed(t_end()) * (found.upper - found.lower) * (1 + 0x1p-50));
     }
-    apart +=
-        pair_->approach_speed(t_end()) * (found.lower - static_cast<double>(out_.toi_lower)) * (1 + 0x1p-50);
+    apart += fl(pair_->approach_speed(t_end()) * (found.lower - static_cast<double>(out_.toi_lower)) *
+                (1 + 0x1p-50));
     // If a translation overflowed the range of doubles, nothing is known.
     if (!(apart < kInfinity<double>)) apart = kInfinity<double>;
     out_.distance = round_up<S>(pair_->cso().to_length(apart));

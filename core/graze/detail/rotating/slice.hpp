@@ -126,7 +126,9 @@ class SliceSearch {
         return along.whole.any() ? swept_gap(pair_, along.whole, axis, counters_)
                                  : pair_.gap(axis, counters_) - pair_.frame_error(along.frame.of);
       };
-      return proves(rest, gap(t) - least, gap(limits_.end) - least, along.frame.bend_root);
+      // In this order, which a call would leave to the compiler: the bodies stay where they were placed last.
+      const double at_end = gap(limits_.end) - least, at_begin = gap(t) - least;
+      return proves(rest, at_begin, at_end, along.frame.bend_root);
     };
     const Frame steadiest = frames(n)[0];
     place(t);
@@ -151,9 +153,9 @@ class SliceSearch {
     }
     b = side_b.to_world(b) + pair_.center_b();
     const Vec3<double> a = b + apart;  // relative to A's pivot
-    const Vec3<double> faster = pair_.velocity() + pair_.mobility_b().w.cross(b - pair_.pivot_b_now()) -
-                                pair_.mobility_a().w.cross(a);
-    return -now.near.n.dot(faster);
+    const Vec3<double> faster = pair_.velocity() + cross(pair_.mobility_b().w, b - pair_.pivot_b_now()) -
+                                cross(pair_.mobility_a().w, a);
+    return -dot(now.near.n, faster);
   }
 
  private:
@@ -227,7 +229,7 @@ class SliceSearch {
   // time before, if there is one, and now, with the present rate of the gap. Infinite if the gap does not fall.
   struct Due {
     double slope = 0, bend = 0;  // of the time as a function of the gap
-    [[nodiscard]] double at(double fallen) const { return (slope + bend * fallen) * fallen; }
+    [[nodiscard]] double at(double fallen) const { return (slope + fl(bend * fallen)) * fallen; }
   };
   Due due(const Seen& now, const std::optional<Seen>& before) {
     const double fast = approach(now);
@@ -237,7 +239,7 @@ class SliceSearch {
     const double fallen = before->near.gap - now.near.gap;
     if (!(fallen > 0)) return out;
     // At the time before, -fallen: t - t_now = -slope fallen + bend fallen^2.
-    const double bend = (out.slope * fallen - (now.t - before->t)) / (fallen * fallen);
+    const double bend = (fl(out.slope * fallen) - (now.t - before->t)) / (fallen * fallen);
     // The quadratic term is used only if it changes the estimate by less than half.
     if (std::abs(bend) * now.near.gap < out.slope / 2) out.bend = bend;
     return out;

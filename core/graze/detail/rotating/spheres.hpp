@@ -21,14 +21,14 @@ struct SphereCast {
 // The time at which a point that moves as c + v t is within R of the origin. Any unit of length, R raised as above.
 inline SphereCast cast_spheres(const Vec3<double>& c, const Vec3<double>& v, double R, double t_end) {
   constexpr double u = kUnitRoundoff<double>;
-  const double apart = c.norm();
+  const double apart = norm(c);
   SphereCast out;
   if (apart <= R) return out;
-  const double along = c.dot(v), speed_sq = v.squaredNorm();
+  const double along = dot(c, v), speed_sq = squared_norm(v);
   out.meet = false;
   if (!(along < 0 && speed_sq > 0)) return out;
   const Vec3<double> across = c - v * (along / speed_sq);
-  const double half_sq = R * R - across.squaredNorm();
+  const double half_sq = fl(R * R) - squared_norm(across);
   if (!(half_sq >= 0)) return out;
   const double begin =
       (-along / std::sqrt(speed_sq) - std::sqrt(half_sq)) / std::sqrt(speed_sq) * (1 - 32 * u);
@@ -42,8 +42,9 @@ inline SphereCast cast_spheres(const Vec3<double>& c, const Vec3<double>& v, dou
 inline SphereCast cast_spheres(const MovingPair& pair, double t_end, double more) {
   constexpr double u = kUnitRoundoff<double>;
   const Vec3<double> c = pair.pivots();
-  const double R = (pair.mobility_a().reach + pair.mobility_b().reach + pair.radius() + more) * (1 + 32 * u) +
-                   32 * u * c.norm() + 2 * pair.pivots_error();
+  const double R =
+      fl((pair.mobility_a().reach + pair.mobility_b().reach + pair.radius() + more) * (1 + 32 * u)) +
+      fl(32 * u * norm(c)) + 2 * pair.pivots_error();
   return cast_spheres(c, pair.velocity(), R, t_end);
 }
 
@@ -62,7 +63,7 @@ struct OuterSphere {
   // Error bound of the distance of the body's points from the pivot above, including the rounding of both.
   [[nodiscard]] double bound() const {
     constexpr double u = kUnitRoundoff<double>;
-    return reach * (1 + 32 * u) + 64 * u * lengths;
+    return fl(reach * (1 + 32 * u)) + fl(64 * u * lengths);
   }
 };
 template <Scalar S>
@@ -74,8 +75,8 @@ OuterSphere outer_sphere(const RotatingBody<S>& moving) {
   OuterSphere out;
   out.pivot = position;
   if (pivot != Vec3<double>::Zero()) out.pivot += rotation_matrix(as_double(moving.body.orientation)) * pivot;
-  out.reach = (middle - pivot).norm() + bounds.half.norm() + bounds.radius;
-  out.lengths = position.norm() + pivot.norm() + middle.norm();
+  out.reach = norm(middle - pivot) + norm(bounds.half) + bounds.radius;
+  out.lengths = norm(position) + norm(pivot) + norm(middle);
   return out;
 }
 template <Scalar S>
@@ -86,8 +87,8 @@ bool outer_spheres_never_meet(const RotatingBody<S>& a, const RotatingBody<S>& b
   const OuterSphere s_a = outer_sphere(a), s_b = outer_sphere(b);
   const Vec3<double> c = s_b.pivot - s_a.pivot, v = wide(b.body.displacement) - wide(a.body.displacement);
   // Not below the scale: of boxes' diagonals, and of their centres' distance.
-  const double sizes = s_a.reach + s_b.reach, scale = 2 * sizes + c.norm();
-  const double R = s_a.bound() + s_b.bound() + target * (1 + 32 * u) + (32 + 2 * more) * u * scale;
+  const double sizes = s_a.reach + s_b.reach, scale = 2 * sizes + norm(c);
+  const double R = s_a.bound() + s_b.bound() + fl(target * (1 + 32 * u)) + fl((32 + 2 * more) * u * scale);
   return !cast_spheres(c, v, R, t_end).meet;
 }
 

@@ -7,7 +7,6 @@
 // only by the other body's rotation and the bodies' translation.
 #pragma once
 
-#include <Eigen/Geometry>  // cross
 #include <graze/detail/rotating/moving_pair.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
@@ -22,8 +21,8 @@ struct WholeTurns {
 // within u rho, provided that it is across the axis. Therefore products are used, not the difference n - (n.u) u.
 inline Vec3<double> swept_point(const Mobility& m, const Vec3<double>& n) {
   const Vec3<double> axis = unit(m.w);
-  const double along = n.dot(axis);
-  return (along >= 0 ? m.high : m.low) * axis + m.rho * unit(Vec3<double>(axis.cross(n.cross(axis))));
+  const double along = dot(n, axis);
+  return (along >= 0 ? m.high : m.low) * axis + m.rho * unit(Vec3<double>(cross(axis, cross(n, axis))));
 }
 
 // A proof must be one that a checker can repeat: the ball of a combinator is not one number.
@@ -56,15 +55,15 @@ inline CsoPoint<double> swept_support(const MovingPair& pair, const WholeTurns& 
 inline double swept_error(const MovingPair& pair) {
   const auto size = [](const Mobility& m) { return m.turns() ? m.rho + m.high - m.low : 0.0; };
   return pair.error() + 64 * kUnitRoundoff<double> *
-                            (size(pair.mobility_a()) + size(pair.mobility_b()) + pair.center_a().norm() +
-                             pair.center_b().norm() + pair.pivot_b_now().norm());
+                            (size(pair.mobility_a()) + size(pair.mobility_b()) + norm(pair.center_a()) +
+                             norm(pair.center_b()) + norm(pair.pivot_b_now()));
 }
 
 // As the pair's own, of the swept bodies.
 inline double swept_gap(const MovingPair& pair, const WholeTurns& whole, const Vec3<double>& n,
                         Counters& counters) {
   ++counters.supports;
-  return -n.dot(swept_support(pair, whole, n).w) - pair.radius() - swept_error(pair);
+  return -dot(n, swept_support(pair, whole, n).w) - pair.radius() - swept_error(pair);
 }
 inline double swept_bend(const MovingPair& pair, const WholeTurns& whole, const Vec3<double>& n) {
   return (whole.a ? 0.0 : pair.mobility_a().acceleration(n)) +

@@ -105,14 +105,15 @@ class DirectionMap {
   [[nodiscard]] static Square square_of(std::size_t cell, std::size_t k) {
     const std::size_t face = cell / (k * k), row = cell / k % k, column = cell % k;
     const double width = 2 / static_cast<double>(k);
-    return {face / 2, face % 2, -1 + width * static_cast<double>(row),
-            -1 + width * static_cast<double>(column), width};
+    return {face / 2, face % 2, -1 + fl(width * static_cast<double>(row)),
+            -1 + fl(width * static_cast<double>(column)), width};
   }
   [[nodiscard]] static std::size_t padded(std::size_t size) {
     return size <= kSlot ? kSlot : (size + kBlock - 1) / kBlock * kBlock;
   }
   [[nodiscard]] static bool often_long(const std::vector<Candidates>& lists) {
-    return 16 * std::ranges::count_if(lists, [](const Candidates& l) { return l.size() > kSlot; }) >
+    return 16 * std::count_if(lists.begin(), lists.end(),
+                              [](const Candidates& l) { return l.size() > kSlot; }) >
            std::ssize(lists);
   }
   [[nodiscard]] static std::size_t entries_of(const std::vector<Candidates>& lists) {
@@ -147,7 +148,7 @@ inline bool DirectionMap::find(float x, float y, float z, List& out) const {
   const auto at = [&](float t) {
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(rounded_product(t, scaled) + half_));
   };
-  const std::uint32_t face = 2 * axis + (std::bit_cast<std::uint32_t>(d[axis]) >> 31);
+  const std::uint32_t face = 2 * axis + (detail::bit_cast<std::uint32_t>(d[axis]) >> 31);
   const Slot& slot = slots_[(face * k_ + at(d[axis + 1])) * k_ + at(d[axis + 2])];
   if (slot.vertex[kSlot - 1] != kLong) [[likely]] {
     out = {slot.xyz.data(), slot.vertex.data(), kSlot};
@@ -235,8 +236,8 @@ inline DirectionMap::Candidates DirectionMap::of_square(const std::vector<Vec3<d
   for (const std::uint32_t one : from) {
     const Vec3<double>& q = all[one];
     const double base = sign * q[i];
-    height.push_back({base + u[0] * q[j] + v[0] * q[l], base + u[0] * q[j] + v[1] * q[l],
-                      base + u[1] * q[j] + v[0] * q[l], base + u[1] * q[j] + v[1] * q[l]});
+    height.push_back({base + fl(u[0] * q[j]) + fl(v[0] * q[l]), base + fl(u[0] * q[j]) + fl(v[1] * q[l]),
+                      base + fl(u[1] * q[j]) + fl(v[0] * q[l]), base + fl(u[1] * q[j]) + fl(v[1] * q[l])});
   }
   // The corners, the middles of the edges, and the middle.
   constexpr std::size_t kTried = 9;
@@ -254,7 +255,7 @@ inline DirectionMap::Candidates DirectionMap::of_square(const std::vector<Vec3<d
     double top = -kInfinity<double>;
     for (std::size_t m = 0; m < height.size(); ++m) {
       double h = 0;
-      for (std::size_t c = 0; c < kCorners; ++c) h += kWeights[t][c] * height[m][c];
+      for (std::size_t c = 0; c < kCorners; ++c) h += fl(kWeights[t][c] * height[m][c]);
       if (!(h > top)) continue;
       top = h;
       greatest[t] = m;

@@ -15,7 +15,6 @@
 // be right.
 #pragma once
 
-#include <Eigen/Geometry>  // cross
 #include <graze/detail/shapes/quickhull.hpp>
 #include <unordered_map>
 
@@ -95,7 +94,7 @@ class FaceCheck {
     for (std::size_t f = 0; f < triangles_.size(); ++f) {
       const HullTriangle& t = triangles_[f];
       const double area_sq =
-          (points_[t[1]] - points_[t[0]]).cross(points_[t[2]] - points_[t[0]]).squaredNorm();
+          squared_norm(cross(points_[t[1]] - points_[t[0]], points_[t[2]] - points_[t[0]]));
       if (area_sq > most) {
         most = area_sq;
         largest = f;

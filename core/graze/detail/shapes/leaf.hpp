@@ -56,7 +56,7 @@ std::uint32_t first_greatest(std::span<const Vec3<S>> points, const Vec3<S>& d) 
 // x_i = r_i (r_i d_i) / |(r_j d_j)_j|, or the centre if the ellipsoid is flat along d.
 template <Scalar S>
 Vec3<S> ellipsoid_point(const Vec3<S>& radii, const Vec3<S>& d) {
-  return radii.cwiseProduct(unit(Vec3<S>(radii.cwiseProduct(unit(d)))));
+  return scaled_by_axis(radii, unit(Vec3<S>(scaled_by_axis(radii, unit(d)))));
 }
 
 // The point of the circle of radius r about z, at height z, farthest along d, or its centre if d is along z.
@@ -73,7 +73,7 @@ template <Scalar S>
 Vec3<S> cone_point(S radius, S half_height, const Vec3<S>& d) {
   // The apex wins where 2 half_height d_z >= radius |d_xy|.
   const Vec3<S> e = unit(d);
-  if (2 * half_height * e[2] >= radius * std::hypot(e[0], e[1])) return {0, 0, half_height};
+  if (2 * half_height * e[2] >= radius * norm(e.template head<2>())) return {0, 0, half_height};
   return rim_point(radius, -half_height, d);
 }
 
@@ -124,21 +124,22 @@ std::uint32_t support_of_list(const Hull<Given>& hull, const DirectionMap& map,
     return list.vertex[k];
   } else {
     const float *x = list.xyz, *y = x + list.size, *z = y + list.size;
-    const float size = std::abs(guess[0]) * map.reach()[0] + std::abs(guess[1]) * map.reach()[1] +
-                       std::abs(guess[2]) * map.reach()[2];
+    const float size = fl(std::abs(guess[0]) * map.reach()[0]) + fl(std::abs(guess[1]) * map.reach()[1]) +
+                       fl(std::abs(guess[2]) * map.reach()[2]);
     const float top = height_along<float>(guess, x[k], y[k], z[k]);
     constexpr bool kWider = sizeof(S) > sizeof(Given);
     const auto axis = [&](int i) { return kWider ? hull.scan(i) : hull.choice_scan(i); };
     const Given *a = axis(0), *b = axis(1), *c = axis(2);
     std::uint32_t best = list.vertex[k];
     S most = -kInfinity<S>;
-    for_each_above(x, y, z, list.size, guess, top - 12 * kUnitRoundoff<float> * size, [&](std::size_t one) {
-      const std::uint32_t v = list.vertex[one];
-      const S value = height_along<S>(d, S(a[v]), S(b[v]), S(c[v]));
-      if (!(value > most)) return;
-      most = value;
-      best = v;
-    });
+    for_each_above(x, y, z, list.size, guess, top - fl(12 * kUnitRoundoff<float> * size),
+                   [&](std::size_t one) {
+                     const std::uint32_t v = list.vertex[one];
+                     const S value = height_along<S>(d, S(a[v]), S(b[v]), S(c[v]));
+                     if (!(value > most)) return;
+                     most = value;
+                     best = v;
+                   });
     return best;
   }
 }

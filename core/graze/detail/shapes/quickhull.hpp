@@ -14,7 +14,6 @@
 // neighbours'.
 #pragma once
 
-#include <Eigen/Geometry>  // cross
 #include <cstdint>
 #include <graze/detail/numeric/orient3d.hpp>
 #include <numeric>
@@ -87,17 +86,17 @@ class Quickhull {
       }
       return most >= 0;
     };
-    if (!choose([&](auto i) { return (p(i) - p(base[0])).squaredNorm(); },
+    if (!choose([&](auto i) { return squared_norm(p(i) - p(base[0])); },
                 [&](auto i) { return p(i) != p(base[0]); }, base[1])) {
       return false;
     }
     const Vec3<double> along = p(base[1]) - p(base[0]);
-    if (!choose([&](auto i) { return along.cross(p(i) - p(base[0])).squaredNorm(); },
+    if (!choose([&](auto i) { return squared_norm(cross(along, p(i) - p(base[0]))); },
                 [&](auto i) { return !points_.collinear(base[0], base[1], i); }, base[2])) {
       return false;
     }
-    const Vec3<double> normal = along.cross(p(base[2]) - p(base[0]));
-    if (!choose([&](auto i) { return std::abs(normal.dot(p(i) - p(base[0]))); },
+    const Vec3<double> normal = cross(along, p(base[2]) - p(base[0]));
+    if (!choose([&](auto i) { return std::abs(dot(normal, p(i) - p(base[0]))); },
                 [&](auto i) { return points_.orientation(base[0], base[1], base[2], i) != 0; }, base[3])) {
       return false;
     }
@@ -115,11 +114,11 @@ class Quickhull {
 
   [[nodiscard]] std::uint32_t farthest(const Facet& facet) const {
     const Vec3<double>& a = points_[facet.corner[0]];
-    const Vec3<double> n = (points_[facet.corner[1]] - a).cross(points_[facet.corner[2]] - a);
+    const Vec3<double> n = cross(points_[facet.corner[1]] - a, points_[facet.corner[2]] - a);
     std::uint32_t chosen = facet.outside[0];
     double most = -kInfinity<double>;
     for (const std::uint32_t i : facet.outside) {
-      const double height = n.dot(points_[i] - a);
+      const double height = dot(n, points_[i] - a);
       if (height > most) {
         most = height;
         chosen = i;

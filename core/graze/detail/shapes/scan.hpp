@@ -9,50 +9,12 @@
 // Measured (bench/support_bench.cpp), ns a scan of 8, 16, 32, 64, 256 points: see docs/reports/costs.md.
 #pragma once
 
-#include <graze/detail/numeric/machine.hpp>
-#include <graze/scalar.hpp>
-
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
+#include <bit>
+#include <graze/detail/numeric/pack.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
 inline constexpr std::size_t kScanChunk = 64;
-
-#if defined(__SSE2__)
-template <Scalar S>
-struct Pack;
-template <>
-struct Pack<float> {
-  using Type = __m128;
-  static constexpr std::size_t kSize = 4;
-  static Type all(float x) { return _mm_set1_ps(x); }
-  static Type load(const float* p) { return _mm_loadu_ps(p); }
-  static void store(float* p, Type v) { _mm_storeu_ps(p, v); }
-  static Type add(Type a, Type b) { return _mm_add_ps(a, b); }
-  static Type mul(Type a, Type b) { return as_rounded<Type>(_mm_mul_ps(a, b)); }
-  // b where a is NaN
-  static Type max(Type a, Type b) { return _mm_max_ps(a, b); }
-  static unsigned equal(Type a, Type b) { return unsigned(_mm_movemask_ps(_mm_cmpeq_ps(a, b))); }
-  static float greatest(Type v) {
-    v = _mm_max_ps(v, _mm_movehl_ps(v, v));
-    return _mm_cvtss_f32(_mm_max_ss(v, _mm_shuffle_ps(v, v, 1)));
-  }
-};
-template <>
-struct Pack<double> {
-  using Type = __m128d;
-  static constexpr std::size_t kSize = 2;
-  static Type all(double x) { return _mm_set1_pd(x); }
-  static Type load(const double* p) { return _mm_loadu_pd(p); }
-  static void store(double* p, Type v) { _mm_storeu_pd(p, v); }
-  static Type add(Type a, Type b) { return _mm_add_pd(a, b); }
-  static Type mul(Type a, Type b) { return as_rounded<Type>(_mm_mul_pd(a, b)); }
-  static Type max(Type a, Type b) { return _mm_max_pd(a, b); }
-  static unsigned equal(Type a, Type b) { return unsigned(_mm_movemask_pd(_mm_cmpeq_pd(a, b))); }
-  static double greatest(Type v) { return _mm_cvtsd_f64(_mm_max_sd(v, _mm_unpackhi_pd(v, v))); }
-};
 
 // The scan of at most kScanChunk points.
 template <Scalar S>
@@ -76,8 +38,8 @@ inline std::size_t scan_chunk(const S* x, const S* y, const S* z, std::size_t n,
   const auto wanted = P::all(most);
   std::uint64_t equal = 0;
   for (std::size_t i = n; i > 0; i -= 2 * kStep) {
-    const unsigned low = P::equal(P::load(value + i - 2 * kStep), wanted),
-                   high = P::equal(P::load(value + i - kStep), wanted);
+    const unsigned low = P::bits(P::equal(P::load(value + i - 2 * kStep), wanted)),
+                   high = P::bits(P::equal(P::load(value + i - kStep), wanted));
     equal = equal << (2 * kStep) | (low | high << kStep);
   }
   return static_cast<std::size_t>(std::countr_zero(equal));
@@ -108,53 +70,12 @@ inline std::uint64_t above_in_chunk(const float* x, const float* y, const float*
   const auto above = [&](std::size_t k) {
     const P::Type value =
         P::add(P::add(P::mul(P::load(x + k), dx), P::mul(P::load(y + k), dy)), P::mul(P::load(z + k), dz));
-    return unsigned(_mm_movemask_ps(_mm_cmpnlt_ps(value, bound)));
+    return P::bits(P::below(value, bound)) ^ 0xfu;
   };
   std::uint64_t out = 0;
   for (std::size_t k = 0; k < n; k += 8) out |= std::uint64_t{above(k) | above(k + 4) << 4} << k;
   return out;
 }
-#else
-inline std::uint64_t above_in_chunk(const float* x, const float* y, const float* z, std::size_t n,
-                                    const Vec3<float>& d, float least) {
-  std::uint64_t out = 0;
-  for (std::size_t k = 0; k < n; ++k)
-    out |=
-        std::uint64_t{!(
-            rounded_product(x[k], d[0]) + rounded_product(y[k], d[1]) + rounded_product(z[k], d[2]) < least)}
-        << k;
-  return out;
-}
-template <Scalar S>
-std::size_t scan(const S* x, const S* y, const S* z, std::size_t n, const Vec3<S>& d) {
-  GRAZE_ASSERT(n > 0 && n % 8 == 0);
-  constexpr std::size_t kLanes = 8;
-  S value[kScanChunk];
-  std::size_t best = 0;
-  S top = -kInfinity<S>;
-  for (std::size_t begin = 0; begin < n; begin += kScanChunk) {
-    const std::size_t size = std::min(kScanChunk, n - begin);
-    S most[kLanes];
-    for (S& one : most) one = -kInfinity<S>;
-    for (std::size_t i = 0; i < size; i += kLanes) {
-      for (std::size_t l = 0; l < kLanes; ++l) {
-        const std::size_t k = begin + i + l;
-        const S v = rounded_product(x[k], d[0]) + rounded_product(y[k], d[1]) + rounded_product(z[k], d[2]);
-        value[i + l] = v;
-        most[l] = v > most[l] ? v : most[l];
-      }
-    }
-    S greatest = most[0];
-    for (const S one : most) greatest = one > greatest ? one : greatest;
-    if (!(greatest > top)) continue;
-    top = greatest;
-    std::size_t i = 0;
-    while (value[i] != greatest) ++i;
-    best = begin + i;
-  }
-  return best;
-}
-#endif
 
 // visit(k) for every point of value not below `least`, except those of a chunk, named by its first, for which
 // skipped() has bits.

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <graze/detail/numeric/offset.hpp>
+#include <graze/detail/numeric/sine_cosine.hpp>
 #include <graze/detail/shapes/leaf.hpp>
 #include <graze/proof.hpp>
 
@@ -156,9 +157,9 @@ template <Scalar S>
 TreeRounding tree_rounding(const Shape<S>& shape, Turning turning, int k = 0) {
   const bool quick = turning == Turning::quick;
   const double turn = quick ? 23 * k : 0, tilt = quick ? 23 * k : (k > 0 ? 5 : 0);
-  const auto size = [](const Vec3<S>& x) { return x.template cast<double>().norm(); };
+  const auto size = [](const Vec3<S>& x) { return norm(x.template cast<double>()); };
   const auto polytope = [&](double extent, double position = 0) {
-    return TreeRounding{turn * (extent + position), (8 + 2 * tilt) * extent + 2 * turn * position};
+    return TreeRounding{turn * (extent + position), fl((8 + 2 * tilt) * extent) + fl(2 * turn * position)};
   };
   const auto curved = [&](double extent) {
     return TreeRounding{(6 + turn) * extent, (12 + 2 * tilt) * extent};
@@ -178,16 +179,16 @@ TreeRounding tree_rounding(const Shape<S>& shape, Turning turning, int k = 0) {
           [&](const Triangle<S>& s) { return polytope(size(s.b - s.a) + size(s.c - s.a), size(s.a)); },
           [&](const Box<S>& s) { return polytope(size(s.half_extents)); },
           [&](const Ellipsoid<S>& s) { return curved(size(s.radii)); },
-          [&](const Cylinder<S>& s) { return curved(std::hypot(double(s.radius), double(s.half_height))); },
-          [&](const Cone<S>& s) { return curved(std::hypot(double(s.radius), double(s.half_height))); },
+          [&](const Cylinder<S>& s) { return curved(hypotenuse(double(s.radius), double(s.half_height))); },
+          [&](const Cone<S>& s) { return curved(hypotenuse(double(s.radius), double(s.half_height))); },
           [&](const Hull<S>& s) {
             const Vec3<S> reach = s.scan_half_extents() + s.scan_middle().cwiseAbs();
             return polytope(std::ldexp(size(reach), s.exponent()), size(s.center()));
           },
           [&](const Posed<S>& s) {
             TreeRounding r = inner(s.shape, s.orientation.is_identity() ? 0 : 1);
-            r.point += turn * size(s.position);
-            r.choice += 2 * turn * size(s.position);
+            r.point += fl(turn * size(s.position));
+            r.choice += fl(2 * turn * size(s.position));
             return r;
           },
           [&](const Rounded<S>& s) { return with_ball(inner(s.shape, 0), s.radius); },
@@ -231,7 +232,7 @@ int nodes_of(const Shape<S>& shape) {
 // The sum of all lengths that the shape is made of: a walk to a point of it adds up no more.
 template <Scalar S>
 double lengths_of(const Shape<S>& shape) {
-  const auto size = [](const Vec3<S>& x) { return x.template cast<double>().cwiseAbs().sum(); };
+  const auto size = [](const Vec3<S>& x) { return norm_1(x.template cast<double>()); };
   const auto all = [](const auto& parts) {
     double total = 0;
     for (const auto& part : parts) total += lengths_of<S>(part->shape);
@@ -407,7 +408,7 @@ class TreeWalk {
   }
   TreePoint step(const Ellipsoid<S>& s, const Placement& at, const std::uint32_t*) {
     const Vec3<double> x = ellipsoid_point(wide(s.radii), at.to_own(n_));
-    return curved(x, towards(kInside * x, wide(s.radii).cwiseProduct(Vec3<double>(0.2, 0.1, 0.15))), at);
+    return curved(x, towards(kInside * x, scaled_by_axis(wide(s.radii), Vec3<double>(0.2, 0.1, 0.15))), at);
   }
   TreePoint step(const Cylinder<S>& s, const Placement& at, const std::uint32_t*) {
     const double r = s.radius, h = s.half_height;
@@ -464,7 +465,7 @@ class TreeWalk {
         TreePoint point = (*this)(part->shape, at, chosen ? &own : nullptr);
         point.excess = point.excess + (exact_radius<S>(part->shape) + -least);
         const double above =
-            n_.dot((point.x - best.x) + (point.lo - best.lo)) + (point.excess + -best.excess).hi;
+            dot(n_, (point.x - best.x) + (point.lo - best.lo)) + (point.excess + -best.excess).hi;
         if (!found || above > 0) {
           found = true;
           best = point;

@@ -94,8 +94,8 @@ bool is_common(S x) {
   using Bits = std::conditional_t<sizeof(S) == 8, std::uint64_t, std::uint32_t>;
   constexpr S kLeast = sizeof(S) == 8 ? S(kLeastMagnitude) : std::numeric_limits<S>::min();
   constexpr S kGreatest = sizeof(S) == 8 ? S(kGreatestMagnitude) : std::numeric_limits<S>::max();
-  constexpr Bits kLow = std::bit_cast<Bits>(kLeast), kHigh = std::bit_cast<Bits>(kGreatest);
-  const Bits bits = std::bit_cast<Bits>(x) & (~Bits{0} >> 1);
+  constexpr Bits kLow = detail::bit_cast<Bits>(kLeast), kHigh = detail::bit_cast<Bits>(kGreatest);
+  const Bits bits = detail::bit_cast<Bits>(x) & (~Bits{0} >> 1);
   return bool(unsigned(bits == 0) | unsigned(bits - kLow <= kHigh - kLow));
 }
 template <Scalar S>

@@ -59,7 +59,7 @@ Direction direction_of(const Scene<S>& scene, const Term& f1, const Term& f2, in
                         kUnitRoundoff<double> * out.approx.cwiseAbs().maxCoeff());
   // Weights of many leaves, each deep in rotations, outgrow doubles: nothing is known then, and every sign is
   // decided exactly.
-  if (!(out.approx.cwiseAbs().sum() < kInfinity<double>)) out = unknown_direction(f1, f2, sign);
+  if (!(norm_1(out.approx) < kInfinity<double>)) out = unknown_direction(f1, f2, sign);
   return out;
 }
 
@@ -78,7 +78,7 @@ struct Steps {
 // the component is 0 exactly.
 inline Vec3<double> normal_error(const Steps& e, const Steps& f) {
   const auto error = [](double a, double b, double c, double d) {
-    const double size = a * b + c * d;
+    const double size = fl(a * b) + fl(c * d);
     return size == 0 ? 0 : 8 * kUnitRoundoff<double> * size + kUnderflow;
   };
   const Triple p = e.size(), q = f.size();
@@ -145,7 +145,8 @@ class BeyondSearch {
       } else {
         s.d = turn_into(leaf, turn).transpose() * s.d;
       }
-      s.error.setConstant(1.8 * s.n.error.maxCoeff() + (turn + 8 * kUnitRoundoff<double>)*s.n.approx.norm());
+      s.error.setConstant(fl(1.8 * s.n.error.maxCoeff()) +
+                          fl((turn + 8 * kUnitRoundoff<double>)*norm(s.n.approx)));
     }
     if (leaf.of_b) s.d = -s.d;
     if (const auto* hull = std::get_if<Hull<S>>(leaf.shape)) {
@@ -172,7 +173,7 @@ class BeyondSearch {
   [[gnu::noinline]] void try_vertex(Search& s, std::uint32_t k) const {
     if (k == s.at) return;
     const Vec3<double> step = vertex(s.leaf, k) - vertex(s.leaf, s.at);
-    const double height = s.d.dot(step), error = 1.01 * s.error.dot(step.cwiseAbs()) + kUnderflow;
+    const double height = dot(s.d, step), error = fl(1.01 * dot(s.error, step.cwiseAbs())) + kUnderflow;
     if (height < -error) return;
     if (height > error) {
       accept(s, k);
@@ -187,7 +188,7 @@ class BeyondSearch {
   void accept(Search& s, std::uint32_t k) const {
     if (s.found) {
       const Vec3<double> step = vertex(s.leaf, k) - vertex(s.leaf, s.best);
-      const double height = s.d.dot(step), error = 1.01 * s.error.dot(step.cwiseAbs()) + kUnderflow;
+      const double height = dot(s.d, step), error = fl(1.01 * dot(s.error, step.cwiseAbs())) + kUnderflow;
       if (height < -error) return;
       if (!(height > error) && (ties_by_axes(s, step) || !rises_exactly(s, s.best, k))) return;
     }
@@ -249,7 +250,7 @@ class BeyondSearch {
       const double step = -2 * x[static_cast<int>(i)], height = s.d[static_cast<int>(i)] * step;
       const double own = s.error[static_cast<int>(i)];
       if ((level >> i & 1u) != 0 || step == 0 || own == 0) continue;
-      const double error = 1.01 * own * std::abs(step) + kUnderflow;
+      const double error = fl(1.01 * own * std::abs(step)) + kUnderflow;
       const bool up = std::abs(height) > error ? height > 0 : rises_exactly(s, s.at, s.at ^ (1u << i));
       if (up) flips |= 1u << i;
     }
@@ -266,11 +267,11 @@ class BeyondSearch {
     const double scale = size > 0 ? power_of_two(-exponent_of(size)) : 1.0;
     const Vec3<float> d = (scale * s.d).template cast<float>();
     const float *x = hull.approximate_scan(0), *y = hull.approximate_scan(1), *z = hull.approximate_scan(2);
-    const float height = x[s.at] * d[0] + y[s.at] * d[1] + z[s.at] * d[2];
+    const float height = fl(x[s.at] * d[0]) + fl(y[s.at] * d[1]) + fl(z[s.at] * d[2]);
     // The rounding of a height: u of d, u of the point, 3 u of products and sums, u of float, over at most 9/8 of the
     // half extents (hull.hpp). The same for x_0, and for the difference. The error of n counts over 2 half.
-    const double rounding = 14 * kUnitRoundoff<float> * scale * s.d.cwiseAbs().dot(half);
-    const double error = 1.01 * (2 * scale * s.error.dot(half) + rounding) + 0x1p-120;
+    const double rounding = 14 * kUnitRoundoff<float> * scale * dot(s.d.cwiseAbs(), half);
+    const double error = fl(1.01 * (fl(2 * scale * dot(s.error, half)) + rounding)) + 0x1p-120;
     const float least = below(double(height) - error);
     if (hull.has_map() && search_list(s, hull.graph().map, d, least)) return;
     for_each_above(
@@ -313,8 +314,8 @@ class BeyondSearch {
   // n's place on the cube is known within 2^-15. The map's squares are enlarged by that and more (direction_map.hpp).
   [[nodiscard]] static bool find_list(const Search& s, const DirectionMap& map, DirectionMap::List& out) {
     const Vec3<double> reach(map.reach()[0], map.reach()[1], map.reach()[2]);
-    const double size = s.d.cwiseAbs().cwiseProduct(reach).maxCoeff();
-    if (!(s.error.cwiseProduct(reach).maxCoeff() <= 0x1p-17 * size) || !(size > 0)) return false;
+    const double size = scaled_by_axis(s.d.cwiseAbs(), reach).maxCoeff();
+    if (!(scaled_by_axis(s.error, reach).maxCoeff() <= 0x1p-17 * size) || !(size > 0)) return false;
     const double scale = power_of_two(-exponent_of(size));
     return map.find(float(scale * s.d[0]), float(scale * s.d[1]), float(scale * s.d[2]), out);
   }

@@ -434,7 +434,7 @@ std::vector<std::uint32_t> exact_farthest(const Shape<S>& shape, const exact::Dy
                    std::vector<double> height(count);
                    double most = -kInfinity<double>;
                    for (std::uint32_t k = 0; k < count; ++k) {
-                     height[k] = d.dot(wide(s.vertex(k)) - center);
+                     height[k] = dot(d, wide(s.vertex(k)) - center);
                      most = std::max(most, height[k]);
                    }
                    const double slack = 0x1p-45 * s.reach_about_center();
@@ -497,7 +497,7 @@ class ExactBody {
     std::vector<double> height(count_);
     double most = -kInfinity<double>;
     for (std::uint32_t k = 0; k < count_; ++k) {
-      height[k] = own.dot(side_.support(side_, own, &k).x);
+      height[k] = dot(own, side_.support(side_, own, &k).x);
       most = std::max(most, height[k]);
     }
     std::vector<std::uint32_t> out;

@@ -14,6 +14,7 @@
 // decides, the start remains undecided. Notation: exact_body.hpp.
 #pragma once
 
+#include <graze/detail/numeric/sine_cosine.hpp>
 #include <graze/detail/search/exact/exact_body.hpp>
 #include <graze/detail/search/robust/gjk.hpp>
 
@@ -257,15 +258,14 @@ class StartDecision {
   // Keeps six of many corners of one face: the farthest along six directions of the plane, from the leaf's middle.
   void thin_out(std::vector<std::uint32_t>& near) const {
     if (near.size() <= kCorners) return;
-    const Vec3<double> n = unit(towards_);
-    const Vec3<double> e = unit(Vec3<double>(n.unitOrthogonal())), f = n.cross(e);
+    const Frame<double> frame(unit(towards_));
     std::vector<std::uint32_t> out;
     for (std::size_t i = 0; i < kCorners; ++i) {
-      const double angle = double(i) * (6.283185307179586 / double(kCorners));
-      const Vec3<double> d = std::cos(angle) * e + std::sin(angle) * f;
+      const SineCosine<double> at = rounded_sine_cosine(double(i) * (6.283185307179586 / double(kCorners)));
+      const Vec3<double> d = at.cosine * frame.e1 + at.sine * frame.e2;
       std::uint32_t best = near.front();
       for (const std::uint32_t k : near) {
-        if (d.dot(polytope().rounded_vertex(k)) > d.dot(polytope().rounded_vertex(best))) best = k;
+        if (dot(d, polytope().rounded_vertex(k)) > dot(d, polytope().rounded_vertex(best))) best = k;
       }
       if (std::find(out.begin(), out.end(), best) == out.end()) out.push_back(best);
     }
@@ -275,7 +275,7 @@ class StartDecision {
   void try_axis(int i) {
     if (leaf().kind() != Kind::ellipsoid && i < 2) return;
     Dyadic3 axis = leaf().axis(i);
-    const double along = unit(direction_of(axis)).dot(towards_);
+    const double along = dot(unit(direction_of(axis)), towards_);
     if (!(std::abs(along) > 1 - kAligned)) return;
     if (along < 0) axis = minus(axis);
     try_normal(axis);
@@ -349,7 +349,7 @@ class StartDecision {
     plane.n = exact::cross(plane.e, plane.g);
     plane.nn = exact::dot(plane.n, plane.n);
     if (plane.nn.sign() == 0 || !plane.nn.valid()) return;
-    const double along = unit(direction_of(plane.n)).dot(towards_);
+    const double along = dot(unit(direction_of(plane.n)), towards_);
     if (!(std::abs(along) > 1 - kAligned)) return;
     const Dyadic3 t = along < 0 ? minus(plane.n) : plane.n;
     const int sign = try_normal(t);
@@ -394,7 +394,7 @@ class StartDecision {
     const Dyadic3 across = {e[1], -e[0], Dyadic()};
     if (!is_zero(across)) {
       const Dyadic3 n = leaf().turn_to_world(across);
-      try_normal(direction_of(n).dot(towards_) < 0 ? minus(n) : n);
+      try_normal(dot(direction_of(n), towards_) < 0 ? minus(n) : n);
     }
     const Dyadic h = Dyadic(leaf().half_height()) * w;
     const auto at = [&](Dyadic over, Dyadic under) {
@@ -449,7 +449,7 @@ class StartDecision {
         const Vec3<double> rounded = direction_of(n);
         if (done()) return;
         if (rounded == Vec3<double>::Zero()) continue;
-        const double along = unit(rounded).dot(towards_);
+        const double along = dot(unit(rounded), towards_);
         if (std::abs(along) > 1 - kAligned) try_leaves(first, along < 0 ? minus(n) : n);
       }
     }
@@ -476,7 +476,7 @@ class StartDecision {
     end.x[2] = Dyadic(first.kind() == Kind::cone || direction_of(up)[2] < 0 ? -h : h);
     try_own(end);
     const double x = ratio(origin.x[0], origin.weight), y = ratio(origin.x[1], origin.weight);
-    const double far = std::hypot(x, y);
+    const double far = hypotenuse(x, y);
     if (!(far > 0) || !(r > 0)) return;
     const double least = std::max(far - leaf().radius(), -r), most = std::min(r, far);
     const double at = std::clamp((least + most) / 2 / far, -r / far, r / far) * (1 - 0x1p-40);

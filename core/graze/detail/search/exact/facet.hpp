@@ -27,15 +27,15 @@ struct TimeBracket {
 
 // Doubles as their neighbours in order, by their bits: no mode of the machine matters.
 inline double next_up(double x) {
-  auto bits = std::bit_cast<std::int64_t>(x);
+  auto bits = detail::bit_cast<std::int64_t>(x);
   if (bits == std::numeric_limits<std::int64_t>::min()) bits = 0;  // -0
-  return std::bit_cast<double>(bits >= 0 ? bits + 1 : bits - 1);
+  return detail::bit_cast<double>(bits >= 0 ? bits + 1 : bits - 1);
 }
 inline double next_down(double x) { return -next_up(-x); }
 // Either, of x != 0: without a branch, as nothing foretells which.
 inline double next(double x, bool up) {
-  const auto bits = std::bit_cast<std::int64_t>(x);
-  return std::bit_cast<double>(bits + 1 - 2 * std::int64_t{up != (bits >= 0)});
+  const auto bits = detail::bit_cast<std::int64_t>(x);
+  return detail::bit_cast<double>(bits + 1 - 2 * std::int64_t{up != (bits >= 0)});
 }
 
 // The exact quotient n.c_0 / n.v in the caller's unit of time, to be compared with doubles.
@@ -72,7 +72,7 @@ inline double near_quotient(const Dyadic& numerator, const Dyadic& denominator) 
   } else {
     // 2^-1074 is the unit: an integer of them.
     const int shift = 1074 + exponent;
-    out = std::bit_cast<double>(
+    out = detail::bit_cast<double>(
         shift < 0 ? std::int64_t{0} : static_cast<std::int64_t>(std::ldexp(magnitude, std::min(shift, 60))));
   }
   return numerator.sign() < 0 ? -out : out;
@@ -98,7 +98,7 @@ struct FineTime {
 
   // numerator - s denominator, s >= 0 in size, and its error bound.
   [[nodiscard]] double rest(double s, double& error) const {
-    error = error_n + std::abs(s) * error_d;
+    error = error_n + fl(std::abs(s) * error_d);
     return rounded(numerator - denominator * Pair{s, 0});
   }
 };
@@ -144,7 +144,7 @@ TimeBracket round_time(const Scene<S>& scene, const Facet& facet, const Term& v)
   const int exponent = scene.length_exponent() - scene.speed_exponent();
   if (f.known && std::abs(exponent) < 500) {
     constexpr double u = kUnitRoundoff<double>;
-    const double below = (rounded(f.denominator) * (1 - 2 * u) - f.error_d) * (1 - 4 * u);
+    const double below = (fl(rounded(f.denominator) * (1 - 2 * u)) - f.error_d) * (1 - 4 * u);
     double s = rounded(f.numerator) / rounded(f.denominator);
     // The quotient of two rounded numbers may be off by more than a unit. A second round then starts from the
     // corrected value.

@@ -212,9 +212,9 @@ class Meeting {
     const Triple& r = pair_.direction();
     n_ = cross(e, f);
     along_ = dot(n_, r);
-    n_error_ = 100 * kU * size_e * size_f + kUnderflow;
+    n_error_ = fl(100 * kU * size_e * size_f) + kUnderflow;
     // r is within u of v, and three products and sums round.
-    along_error_ = (n_error_ + 6 * kU * largest(n_)) * sum(magnitude(r));
+    along_error_ = (n_error_ + fl(6 * kU * largest(n_))) * sum(magnitude(r));
     if (!(along_ > 4 * along_error_)) return false;
     const double one = 1 / along_;
     at_.s = dot(n_, c0) * one;
@@ -246,7 +246,7 @@ class Meeting {
 
   // Bounds a body's coordinates in its own axes: those about its centre, as S rounded their middle and half.
   [[nodiscard]] double coordinates(const PreparedCore<S>& of) const {
-    return 1.01 * of.size() + scene_.unit() * largest(of.center());
+    return fl(1.01 * of.size()) + fl(scene_.unit() * largest(of.center()));
   }
 
   // g, and with it delta and its error.
@@ -260,14 +260,15 @@ class Meeting {
     };
     at_.g = {difference(0), difference(1), difference(2)};
     const Triple shift{apart[0].hi, apart[1].hi, apart[2].hi}, path{v[0].hi, v[1].hi, v[2].hi};
-    const double size =
-        coordinates(pair_.a()) + coordinates(pair_.b()) + largest(shift) + std::abs(at_.s) * largest(path);
+    const double size = coordinates(pair_.a()) + coordinates(pair_.b()) + largest(shift) +
+                        fl(std::abs(at_.s) * largest(path));
     const double n = largest(n_);
     at_.g_error = 0x1p-90 * size;
     at_.delta = dot(n_, at_.g) / along_;
     // Error of n.g: the error of n, the rounding of the sum and that of g, of three components each.
-    const double error = (n_error_ + 6 * kU * n) * sum(magnitude(at_.g)) + 3.1 * (n + n_error_) * at_.g_error;
-    at_.error = 1.1 * (error + std::abs(at_.delta) * along_error_) / (along_ - along_error_) +
+    const double error =
+        fl((n_error_ + fl(6 * kU * n)) * sum(magnitude(at_.g))) + fl(3.1 * (n + n_error_) * at_.g_error);
+    at_.error = 1.1 * (error + fl(std::abs(at_.delta) * along_error_)) / (along_ - along_error_) +
                 2 * kU * std::abs(at_.delta);
     return at_.error < kInfinity<double>;
   }

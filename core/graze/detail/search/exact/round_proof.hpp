@@ -41,15 +41,16 @@ class BoundedNumbers {
   static Vector vector(const Pair3Of<kFused>& x, double error) {
     Vector out{{normal(x[0]), normal(x[1]), normal(x[2])}, 0, error};
     for (const P& one : out.x) out.size = greater(out.size, std::abs(one.hi));
-    out.size = out.size * (1 + 0x1p-50) + error;
+    out.size = fl(out.size * (1 + 0x1p-50)) + error;
     return out;
   }
   static Number number(const P& x, double error) {
     const P out = normal(x);
-    return {out, std::abs(out.hi) * (1 + 0x1p-50) + error, error};
+    return {out, fl(std::abs(out.hi) * (1 + 0x1p-50)) + error, error};
   }
   static double lost(const Vector& a, const Vector& b) {
-    return a.size * b.error + a.error * b.size + a.error * b.error + 0x1p-94 * a.size * b.size;
+    return fl(a.size * b.error) + fl(a.error * b.size) + fl(a.error * b.error) +
+           fl(0x1p-94 * a.size * b.size);
   }
   static P dot_of(const Vector& a, const Vector& b, double& error) {
     error = 3 * lost(a, b);
@@ -98,7 +99,7 @@ class RoundProver {
     const double s = found.upper;
     const Value q = at(s);
     const double first = -q.value / q.slope;
-    const double d = -(q.value + q.rise * first * first) / q.slope;
+    const double d = -(q.value + fl(q.rise * first * first)) / q.slope;
     if (!(q.slope < 0) || !(std::abs(d) < kFar / 2 * s) || q.size == 0) return out;
     const double near = s + d;
     double lower = near, upper = near;
@@ -132,9 +133,9 @@ class RoundProver {
 
     // q(s + d), d exact. rise is rounded by 2^-48, and so are products and sums.
     [[nodiscard]] double after(double d, double& predicate_error) const {
-      predicate_error = error + std::abs(d) * slope_error + 0x1p-48 * (std::abs(d * slope) + rise * d * d) +
-                        0x1p-51 * std::abs(value);
-      return value + d * (slope + rise * d);
+      predicate_error = error + fl(std::abs(d) * slope_error) +
+                        0x1p-48 * (std::abs(d * slope) + fl(rise * d * d)) + 0x1p-51 * std::abs(value);
+      return value + fl(d * (slope + fl(rise * d)));
     }
     // The sign of q after d. It is 0 if |q| is within predicate_error.
     [[nodiscard]] int sign_after(double d) const {
@@ -182,8 +183,9 @@ class RoundProver {
   // q = square - (R W)^2 scale
   void set_value(const P& square, double error, const P& scale, double scale_error, Value& out) const {
     out.value = rounded(square - square_.x * scale);
-    out.error = error + square_.size * scale_error + square_.error * (std::abs(scale.hi) + scale_error) +
-                0x1p-92 * (std::abs(square.hi) + square_.size * std::abs(scale.hi));
+    out.error = error + fl(square_.size * scale_error) +
+                fl(square_.error * (std::abs(scale.hi) + scale_error)) +
+                0x1p-92 * (std::abs(square.hi) + fl(square_.size * std::abs(scale.hi)));
   }
   void set_w(const Vec3<double>& w, double size, double error, double moved, Value& out) const {
     out.w = w;
@@ -195,7 +197,7 @@ class RoundProver {
     Value out;
     Pair3Of<kFused> x;
     for (std::size_t i = 0; i < 3; ++i) x[i] = v_.x[i] * P{s, 0} - c_[0].x[i];
-    const Vector z = B::vector(x, s * v_.error + c_[0].error + 0x1p-96 * (s * v_.size + c_[0].size));
+    const Vector z = B::vector(x, fl(s * v_.error) + c_[0].error + 0x1p-96 * (fl(s * v_.size) + c_[0].size));
     const Vec3<double> v = v_.value();
     const double far = kFar * s * v_.size;  // how far z moves
     double error = 0, scale_error = 0;
@@ -204,9 +206,9 @@ class RoundProver {
       set_value(square, error, P{1, 0}, 0, out);
       set_w(z.value(), z.size, z.error, far, out);
       out.across = v;
-      out.slope = 2 * out.w.dot(v);
+      out.slope = 2 * dot(out.w, v);
       out.slope_error = 8 * v_.size * (z.error + 0x1p-50 * z.size);
-      out.rise = v.dot(v);
+      out.rise = dot(v, v);
     } else if (size_ == 2) {
       const Vector m = B::cross_of(z, e_);
       const P square = B::dot_of(m, m, error), length = B::dot_of(e_, e_, scale_error);
@@ -214,46 +216,47 @@ class RoundProver {
       // w e.e = e x (z x e)
       const Vector w = B::cross_of(e_, m);
       set_w(w.value(), w.size, w.error, 6 * e_.size * e_.size * far, out);
-      const Vec3<double> e = e_.value(), turned = v.cross(e);
-      out.across = e.dot(e) * v - e.dot(v) * e;
-      out.slope = 2 * m.value().dot(turned);
+      const Vec3<double> e = e_.value(), turned = cross(v, e);
+      out.across = dot(e, e) * v - dot(e, v) * e;
+      out.slope = 2 * dot(m.value(), turned);
       out.slope_error = 16 * v_.size * e_.size * (m.error + 0x1p-50 * m.size);
-      out.rise = turned.dot(turned);
+      out.rise = dot(turned, turned);
       double along_error = 0;
       const P along = B::dot_of(z, e_, along_error);
       const double a = rounded(along), l = rounded(length),
-                   predicate_error = along_error + scale_error + 0x1p-50 * l + 4 * far * e_.size;
+                   predicate_error = along_error + scale_error + 0x1p-50 * l + fl(4 * far * e_.size);
       out.inside = a > predicate_error && a < l - predicate_error;
       out.share = {a / l, 0};
     } else {
       double height_error = 0, to_e_error = 0, to_g_error = 0;
       const P height = B::dot_of(z, n_, height_error), area = B::dot_of(n_, n_, scale_error);
       const double h = std::abs(rounded(height)), side = rounded(height) < 0 ? -1 : 1,
-                   rate = side * n_.value().dot(v), most = 3 * n_.size * v_.size;
-      set_value(height * height, (2 * h + height_error) * height_error + 0x1p-92 * h * h, area, scale_error,
-                out);
+                   rate = side * dot(n_.value(), v), most = 3 * n_.size * v_.size;
+      set_value(height * height, fl((2 * h + height_error) * height_error) + fl(0x1p-92 * h * h), area,
+                scale_error, out);
       set_w(side * n_.value(), n_.size, n_.error, 0, out);
       out.slope = 2 * h * rate;
-      out.slope_error = 2 * (height_error * most + h * 3 * v_.size * (n_.error + 0x1p-50 * n_.size));
+      out.slope_error = 2 * (fl(height_error * most) + fl(h * 3 * v_.size * (n_.error + 0x1p-50 * n_.size)));
       out.rise = rate * rate;
       const double to_e = rounded(B::dot_of(B::cross_of(z, g_), n_, to_e_error)),
                    to_g = rounded(B::dot_of(B::cross_of(e_, z), n_, to_g_error)), all = rounded(area);
       const double predicate_error =
-          to_e_error + to_g_error + scale_error + 0x1p-50 * all + 6 * far * n_.size * (e_.size + g_.size);
-      out.inside = h > height_error + kFar * s * most && to_e > predicate_error && to_g > predicate_error &&
-                   to_e + to_g < all - predicate_error;
+          to_e_error + to_g_error + scale_error + 0x1p-50 * all + fl(6 * far * n_.size * (e_.size + g_.size));
+      out.inside = h > height_error + fl(kFar * s * most) && to_e > predicate_error &&
+                   to_g > predicate_error && to_e + to_g < all - predicate_error;
       out.share = {to_e / all, to_g / all};
     }
     return out;
   }
   // Checks that no vertex is beyond and that the path approaches. Then sets normal and weights.
   [[nodiscard]] bool finish(const Value& q, double d, RoundProof& out) const {
-    if (!(q.w_error < 0x1p-30 * q.size) || !(q.w.dot(v_.value()) < -0x1p-20 * q.size * v_.size)) return false;
+    if (!(q.w_error < 0x1p-30 * q.size) || !(dot(q.w, v_.value()) < -0x1p-20 * q.size * v_.size))
+      return false;
     Direction n = unknown_direction(Term::motion(), Term::motion(), 1);
     if (size_ == 3) {
       n.f1 = Term::difference(name_[0], name_[1]);
       n.f2 = Term::difference(name_[0], name_[2]);
-      n.sign = q.w.dot(n_.value()) < 0 ? -1 : 1;
+      n.sign = dot(q.w, n_.value()) < 0 ? -1 : 1;
     }
     n.rounded = size_ < 3;
     n.approx = q.w;

@@ -224,11 +224,11 @@ class RoundSearch {
 
   // Doubles in their order, and back.
   static std::int64_t key_of(double t) {
-    const auto bits = std::bit_cast<std::int64_t>(t);
+    const auto bits = detail::bit_cast<std::int64_t>(t);
     return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
   }
   static double at_key(std::int64_t key) {
-    return std::bit_cast<double>(key < 0 ? std::numeric_limits<std::int64_t>::min() - key : key);
+    return detail::bit_cast<double>(key < 0 ? std::numeric_limits<std::int64_t>::min() - key : key);
   }
   // Exactly: the path's ends are doubles.
   static double as_double(const Dyadic& t) { return near_quotient(t, Dyadic(1)); }

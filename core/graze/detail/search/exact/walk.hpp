@@ -109,9 +109,9 @@ struct Measured {
 inline Measured side_of_middle(const Corner& c, const Corner& d, double sum_x, double sum_y, double seen) {
   const double ex = d.qx - c.qx, ey = d.qy - c.qy, x = sum_x - rounded_product(3.0, c.qx),
                y = sum_y - rounded_product(3.0, c.qy);
-  return {
-      rounded_product(ex, y) - rounded_product(ey, x),
-      15 * seen * (std::abs(ex) + std::abs(ey)) + 3 * seen * (std::abs(x) + std::abs(y)) + 50 * seen * seen};
+  return {rounded_product(ex, y) - rounded_product(ey, x), fl(15 * seen * (std::abs(ex) + std::abs(ey))) +
+                                                               fl(3 * seen * (std::abs(x) + std::abs(y))) +
+                                                               fl(50 * seen * seen)};
 }
 
 // Vertices of C that a walk may begin with.
@@ -178,7 +178,8 @@ class PortalWalk {
     const double height = dot(at(0).w, cross(e, f));
     const double e_1 = sum(magnitude(e)), f_1 = sum(magnitude(f));
     const double error =
-        1.2 * (bounds_.seen * e_1 * f_1 + sum(magnitude(at(0).w)) * bounds_.edge * (e_1 + f_1)) + kUnderflow;
+        fl(1.2 * (fl(bounds_.seen * e_1 * f_1) + fl(sum(magnitude(at(0).w)) * bounds_.edge * (e_1 + f_1)))) +
+        kUnderflow;
     if (height > error) return 1;
     if (height < -error) return -1;
     return height_sign_exactly();
@@ -251,7 +252,8 @@ class PortalWalk {
   // The sign of v_z (u_x w_y - u_y w_x), each within e. Returns 0 if the value is within its error bound.
   [[nodiscard]] int sign_in_doubles(double ux, double uy, double wx, double wy, double e) const {
     const double value = rounded_product(ux, wy) - rounded_product(uy, wx);
-    const double error = 2 * e * (std::abs(ux) + std::abs(uy) + std::abs(wx) + std::abs(wy)) + 4 * e * e;
+    const double error =
+        fl(2 * e * (std::abs(ux) + std::abs(uy) + std::abs(wx) + std::abs(wy))) + fl(4 * e * e);
     return value > error ? line_.sign : value < -error ? -line_.sign : 0;
   }
   // The sign of det(c, d, v), o moved. It is 0 only for vertices that are seen at one point.

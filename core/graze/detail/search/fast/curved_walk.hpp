@@ -166,16 +166,16 @@ class CurvedWalk {
     set(a, b, n, out);
   }
   [[nodiscard]] static double det(const CurvedCorner& c, const CurvedCorner& d) {
-    return c.u * d.v - c.v * d.u;
+    return fl(c.u * d.v) - fl(c.v * d.u);
   }
 
   // Does n, with its support point w, prove that the path misses? w may come out farther.
   [[nodiscard]] bool separates(const Triple& n, CurvedCorner& w) {
-    const double size = sum(magnitude(n)), bound = std::min(0.0, dot(n, end_)) - margin_ * size;
+    const double size = sum(magnitude(n)), bound = std::min(0.0, dot(n, end_)) - fl(margin_ * size);
     double h = dot(n, w.w);
     if (!(h < bound)) [[likely]]
       return false;
-    if (!(h < bound - guess_ * size)) {
+    if (!(h < bound - fl(guess_ * size))) {
       sure_support(n, w);
       h = dot(n, w.w);
       if (!(h < bound)) return false;
@@ -402,23 +402,23 @@ class CurvedWalk {
         if (pair_.b().is_curved()) add(turned_b.bend[p.b], p.lambda, bend);
       }
       if (radius_ > 0) {
-        const double n_sq = 1 + x * x + y * y, by = radius_ / std::sqrt(n_sq);
-        bend.ee += by * (1 - x * x / n_sq);
+        const double n_sq = 1 + fl(x * x) + fl(y * y), by = radius_ / std::sqrt(n_sq);
+        bend.ee += fl(by * (1 - x * x / n_sq));
         bend.ef -= by * x * y / n_sq;
-        bend.ff += by * (1 - y * y / n_sq);
+        bend.ff += fl(by * (1 - y * y / n_sq));
       }
       axis_ = n;
       if ((step > 0 && closes(n, w)) || flat_end(n, kAtEnd)) return true;
-      const double length = std::sqrt(1 + x * x + y * y),
-                   stiff = reach_ / length * std::min(std::max(moved * moved, kSoft), kStiff);
+      const double length = std::sqrt(1 + fl(x * x) + fl(y * y)),
+                   stiff = fl(reach_ / length * std::min(std::max(moved * moved, kSoft), kStiff));
       bend.ee += stiff;
       bend.ff += stiff;
       double dx = 0, dy = 0;
       if (!least(bend, dx, dy)) return false;
-      double by = std::min(1.0, kLongest * length / std::sqrt(dx * dx + dy * dy));
+      double by = std::min(1.0, kLongest * length / std::sqrt(fl(dx * dx) + fl(dy * dy)));
       bool better = false;
       for (int i = 0; i < 3 && !better; ++i, by /= 4) {
-        const double next_x = x + by * dx, next_y = y + by * dy;
+        const double next_x = x + fl(by * dx), next_y = y + fl(by * dy);
         if (!(std::abs(next_x) < kSteepest && std::abs(next_y) < kSteepest)) return false;
         const Triple next = axis_at(next_x, next_y);
         CurvedCorner there;
@@ -428,7 +428,7 @@ class CurvedWalk {
         better = there_h <= h + noise_;
         take(there.piece_a, there.piece_b, 0);
         if (better || i == 2) {
-          moved = by * std::sqrt(dx * dx + dy * dy) / length;
+          moved = by * std::sqrt(fl(dx * dx) + fl(dy * dy)) / length;
           x = next_x;
           y = next_y;
           n = next;
@@ -450,9 +450,9 @@ class CurvedWalk {
     return turned.at[piece];
   }
   static void add(const Bend& bend, double weight, Bend& out) {
-    out.ee += weight * bend.ee;
-    out.ef += weight * bend.ef;
-    out.ff += weight * bend.ff;
+    out.ee += fl(weight * bend.ee);
+    out.ef += fl(weight * bend.ef);
+    out.ff += fl(weight * bend.ff);
   }
 
   // With the weights of the last step: is the point that they make within the noise of the path?
@@ -466,7 +466,8 @@ class CurvedWalk {
     const CurvedCorner &c0 = piece_[at[0]].at, &c1 = piece_[at[1]].at, &c2 = piece_[at[2]].at;
     std::array<double, 3> l = {1, 0, 0};
     if (size == 2) {
-      const double u = c1.u - c0.u, v = c1.v - c0.v, along = -(u * c0.u + v * c0.v) / (u * u + v * v);
+      const double u = c1.u - c0.u, v = c1.v - c0.v,
+                   along = -(fl(u * c0.u) + fl(v * c0.v)) / (fl(u * u) + fl(v * v));
       l[1] = std::min(std::max(along, 0.0), 1.0);
       l[0] = 1 - l[1];
     } else if (size == 3) {
@@ -515,12 +516,12 @@ class CurvedWalk {
   [[nodiscard]] bool is_top(double top, double dx, double dy) const {
     for (std::size_t i = 0; i < std::size_t(count_); ++i) {
       const Piece& p = piece_[i];
-      if (p.h + p.at.u * dx + p.at.v * dy > top + noise_) return false;
+      if (p.h + fl(p.at.u * dx) + fl(p.at.v * dy) > top + noise_) return false;
     }
     return true;
   }
   [[nodiscard]] double value(const Piece& p, double dx, double dy) const {
-    return p.h + p.at.u * dx + p.at.v * dy;
+    return p.h + fl(p.at.u * dx) + fl(p.at.v * dy);
   }
   void weigh(std::size_t i, double l_i, std::size_t j, double l_j, std::size_t k, double l_k) {
     for (Piece& p : piece_) p.lambda = 0;
@@ -532,13 +533,15 @@ class CurvedWalk {
                                     double& dy) {
     const Piece &a = piece_[i], &b = piece_[j], &c = piece_[k];
     const double bu = b.at.u - a.at.u, bv = b.at.v - a.at.v, cu = c.at.u - a.at.u, cv = c.at.v - a.at.v,
-                 area = bu * cv - bv * cu;
-    if (!(std::abs(area) > kThin * (bu * bu + bv * bv + cu * cu + cv * cv))) return false;
+                 area = fl(bu * cv) - fl(bv * cu);
+    if (!(std::abs(area) > kThin * (fl(bu * bu) + fl(bv * bv) + fl(cu * cu) + fl(cv * cv)))) return false;
     const double to_b = a.h - b.h, to_c = a.h - c.h;
-    const double x = (to_b * cv - to_c * bv) / area, y = (bu * to_c - cu * to_b) / area;
+    const double x = (fl(to_b * cv) - fl(to_c * bv)) / area, y = (fl(bu * to_c) - fl(cu * to_b)) / area;
     // a + l_b (b - a) + l_c (c - a) = -B d
-    const double u = -(bend.ee * x + bend.ef * y) - a.at.u, v = -(bend.ef * x + bend.ff * y) - a.at.v;
-    const double l_b = (u * cv - v * cu) / area, l_c = (bu * v - bv * u) / area, l_a = 1 - l_b - l_c;
+    const double u = -(fl(bend.ee * x) + fl(bend.ef * y)) - a.at.u,
+                 v = -(fl(bend.ef * x) + fl(bend.ff * y)) - a.at.v;
+    const double l_b = (fl(u * cv) - fl(v * cu)) / area, l_c = (fl(bu * v) - fl(bv * u)) / area,
+                 l_a = 1 - l_b - l_c;
     if (!(l_a >= 0 && l_b >= 0 && l_c >= 0) || !is_top(value(a, x, y), x, y)) return false;
     dx = x;
     dy = y;
@@ -547,17 +550,20 @@ class CurvedWalk {
   }
   [[nodiscard]] bool least_of_two(const Bend& bend, std::size_t i, std::size_t j, double& dx, double& dy) {
     const Piece &a = piece_[i], &b = piece_[j];
-    const double u = b.at.u - a.at.u, v = b.at.v - a.at.v, apart_sq = u * u + v * v;
+    const double u = b.at.u - a.at.u, v = b.at.v - a.at.v, apart_sq = fl(u * u) + fl(v * v);
     if (!(apart_sq > 0)) return false;
     // d = along (u, v) + across (-v, u)
     const double along = (a.h - b.h) / apart_sq;
-    const double b_across_u = -bend.ee * v + bend.ef * u, b_across_v = -bend.ef * v + bend.ff * u,
-                 stiff = -v * b_across_u + u * b_across_v;
+    const double b_across_u = fl(-bend.ee * v) + fl(bend.ef * u),
+                 b_across_v = fl(-bend.ef * v) + fl(bend.ff * u),
+                 stiff = fl(-v * b_across_u) + fl(u * b_across_v);
     if (!(stiff > kThin * apart_sq)) return false;
-    const double across = -((-v * a.at.u + u * a.at.v) + along * (u * b_across_u + v * b_across_v)) / stiff;
-    const double x = along * u - across * v, y = along * v + across * u;
-    const double l =
-        -(u * (a.at.u + bend.ee * x + bend.ef * y) + v * (a.at.v + bend.ef * x + bend.ff * y)) / apart_sq;
+    const double across =
+        -((fl(-v * a.at.u) + fl(u * a.at.v)) + fl(along * (fl(u * b_across_u) + fl(v * b_across_v)))) / stiff;
+    const double x = fl(along * u) - fl(across * v), y = fl(along * v) + fl(across * u);
+    const double l = -(fl(u * (a.at.u + fl(bend.ee * x) + fl(bend.ef * y))) +
+                       fl(v * (a.at.v + fl(bend.ef * x) + fl(bend.ff * y)))) /
+                     apart_sq;
     if (!(l >= 0 && l <= 1) || !is_top(value(a, x, y), x, y)) return false;
     dx = x;
     dy = y;
@@ -566,10 +572,10 @@ class CurvedWalk {
   }
   [[nodiscard]] bool least_of_one(const Bend& bend, std::size_t i, double& dx, double& dy) {
     const Piece& a = piece_[i];
-    const double stiff = bend.ee * bend.ff - bend.ef * bend.ef;
-    if (!(stiff > kThin * (bend.ee * bend.ee + bend.ff * bend.ff))) return false;
-    const double x = -(bend.ff * a.at.u - bend.ef * a.at.v) / stiff,
-                 y = -(bend.ee * a.at.v - bend.ef * a.at.u) / stiff;
+    const double stiff = fl(bend.ee * bend.ff) - fl(bend.ef * bend.ef);
+    if (!(stiff > kThin * (fl(bend.ee * bend.ee) + fl(bend.ff * bend.ff)))) return false;
+    const double x = -(fl(bend.ff * a.at.u) - fl(bend.ef * a.at.v)) / stiff,
+                 y = -(fl(bend.ee * a.at.v) - fl(bend.ef * a.at.u)) / stiff;
     if (!is_top(value(a, x, y), x, y)) return false;
     dx = x;
     dy = y;

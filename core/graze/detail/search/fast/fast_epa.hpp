@@ -244,7 +244,7 @@ class FastEpa {
   // no such face. It uses the current vertex, and the farthest along the face's normal is not much beyond that.
   [[nodiscard]] bool closes_early(std::size_t f, const PairVertex& w, double loose) {
     const Triple n = face_[f].n;
-    const double h = dot(n, w.w) + support_.approximate_error() * sum(magnitude(n));
+    const double h = dot(n, w.w) + fl(support_.approximate_error() * sum(magnitude(n)));
     if (!(d_[f] >= 0 && h - d_[f] <= loose && projects(f))) return false;
     answer_ = f;
     upper_ = h;

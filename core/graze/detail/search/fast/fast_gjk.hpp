@@ -109,7 +109,7 @@ class FastGjk {
   // With the guessed vertex, which the farthest is not much beyond.
   [[nodiscard]] bool closes_early(const PairVertex& next, double length, double loose) {
     upper_ = weighted();
-    lower_ = (-dot(n_, next.w) - support_.approximate_error() * sum(magnitude(n_))) / length;
+    lower_ = (-dot(n_, next.w) - fl(support_.approximate_error() * sum(magnitude(n_)))) / length;
     if (!(lower_ > 2 * support_.noise() && upper_ - lower_ <= loose)) return false;
     n_ = (1 / length) * n_;
     return true;
@@ -240,7 +240,7 @@ class FastGjk {
         const double volume = dot(bc, da);
         const double la = -dot(bc, d->w), lb = -dot(ca, d->w), lc = -dot(ab, d->w);
         const double sign = volume < 0 ? -1 : 1;
-        const double ld = sign * volume - sign * (la + lb + lc);
+        const double ld = fl(sign * volume) - fl(sign * (la + lb + lc));
         if (sign * la > 0 && sign * lb > 0 && sign * lc > 0 && ld > 0) {
           const double one = sign / volume;
           dist_sq_ = 0;

@@ -79,8 +79,8 @@ struct FastTriangle {
   [[gnu::noinline]] void correct(const Triple& g, std::array<double, 4>& lambda) const {
     const Triple e = c1 - c0, f = c2 - c0, a = cross(r, f), b = cross(e, r);
     const double one = 1 / dot(cross(e, f), r);
-    const double l1 = std::max(lambda[1] + dot(g, a) * one, 0.0),
-                 l2 = std::max(lambda[2] + dot(g, b) * one, 0.0), l0 = std::max(1 - l1 - l2, 0.0),
+    const double l1 = std::max(lambda[1] + fl(dot(g, a) * one), 0.0),
+                 l2 = std::max(lambda[2] + fl(dot(g, b) * one), 0.0), l0 = std::max(1 - l1 - l2, 0.0),
                  all = 1 / (l0 + l1 + l2);
     lambda = {l0 * all, l1 * all, l2 * all, 0};
   }

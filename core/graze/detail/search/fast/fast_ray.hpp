@@ -153,19 +153,19 @@ class FastRay {
   [[gnu::noinline]] bool misses(const Triple& n, PairVertex& w) {
     const double size = sum(magnitude(n)), end = s_end_ * dot(n, r_);
     double h = dot(n, w.w);
-    if (h < std::min(0.0, end) - (margin_ + guess_) * size) return true;
-    if (h < std::min(proved(guess_) * dot(n, r_), end) - (margin_ + guess_) * size) return true;
+    if (h < std::min(0.0, end) - fl((margin_ + guess_) * size)) return true;
+    if (h < std::min(proved(guess_) * dot(n, r_), end) - fl((margin_ + guess_) * size)) return true;
     support_.sure(n, w);
     h = dot(n, w.w);
-    if (h < std::min(0.0, end) - margin_ * size) return true;
+    if (h < std::min(0.0, end) - fl(margin_ * size)) return true;
     make_sure_of_axis();
-    return h < std::min(proved(0) * dot(n, r_), end) - margin_ * size;
+    return h < std::min(proved(0) * dot(n, r_), end) - fl(margin_ * size);
   }
   // The error of s by the axis of the last step, whose vertex may be so far, over its length, from the farthest,
   // beyond rounding.
   [[nodiscard]] double proved(double support_error) const {
     if (!(s_ > 0)) return 0;
-    const double h = reach_ + (margin_ + (axis_is_sure_ ? 0.0 : support_error)) * sum(magnitude(axis_));
+    const double h = reach_ + fl((margin_ + (axis_is_sure_ ? 0.0 : support_error)) * sum(magnitude(axis_)));
     return h < 0 ? h / dot(axis_, r_) * (1 - 0x1p-50) : 0.0;
   }
   void make_sure_of_axis() {
@@ -195,7 +195,7 @@ class FastRay {
     const double speed = sum(magnitude(r_)), along = dot(n, r_);
     if (!(along < 0) || !triangle.holds_line(2 * margin_ * support_.pair().extent() * speed)) return false;
     const double upper = triangle.pass(noise_ / 4, out_.lambda),
-                 lower = std::min((guessed + support_.approximate_error() * size) / along, upper);
+                 lower = std::min((guessed + fl(support_.approximate_error() * size)) / along, upper);
     if (!(lower > 2 * noise_ && upper + noise_ < s_max_ && (upper - lower) * speed <= tolerated_))
       return false;
     claim(n, lower, upper);

@@ -58,7 +58,7 @@ class FastSimplex {
       const double volume = dot(cross(db, dc), da), sign = volume < 0 ? -1 : 1;
       const double la = -sign * dot(cross(db, dc), d), lb = -sign * dot(cross(dc, da), d),
                    lc = -sign * dot(cross(da, db), d);
-      normalise(lambda, {la, lb, lc, sign * volume - (la + lb + lc)});
+      normalise(lambda, {la, lb, lc, fl(sign * volume) - (la + lb + lc)});
     }
     Triple v{0, 0, 0};
     for (std::uint32_t i = 0; i < f.size; ++i) v = v + lambda[i] * y[f.at[i]];
@@ -130,7 +130,7 @@ class FastSimplex {
     const Triple bc = cross(db, dc), ca = cross(dc, da), ab = cross(da, db);
     const double volume = dot(bc, da), sign = volume < 0 ? -1 : 1;
     const double la = -sign * dot(bc, y[d]), lb = -sign * dot(ca, y[d]), lc = -sign * dot(ab, y[d]),
-                 ld = sign * volume - (la + lb + lc);
+                 ld = fl(sign * volume) - (la + lb + lc);
     if (la > 0 && lb > 0 && lc > 0 && ld > 0) {
       out.dist_sq = 0;
       out.size = 4;

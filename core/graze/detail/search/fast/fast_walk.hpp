@@ -271,7 +271,7 @@ class FastWalk {
     }
     std::array<double, 4> lambda;
     const double upper = pass(portal, lambda),
-                 lower = std::min((guessed + support_.approximate_error() * size) / along, upper);
+                 lower = std::min((guessed + fl(support_.approximate_error() * size)) / along, upper);
     const bool sure = along < 0 && lower > 2 * support_.noise() && upper + support_.noise() < s_max_ &&
                       (upper - lower) * speed <= tolerated_;
     if (!sure) return false;

@@ -112,7 +112,8 @@ class RoundWalk {
     const Triple ab = b - a, ac = c - a, ax = x - a, bx = x - b, cx = x - c;
     const double d1 = dot(ab, ax), d2 = dot(ac, ax), d3 = dot(ab, bx), d4 = dot(ac, bx), d5 = dot(ab, cx),
                  d6 = dot(ac, cx);
-    const double l_c = d1 * d4 - d3 * d2, l_b = d5 * d2 - d1 * d6, l_a = d3 * d6 - d5 * d4;
+    const double l_c = fl(d1 * d4) - fl(d3 * d2), l_b = fl(d5 * d2) - fl(d1 * d6),
+                 l_a = fl(d3 * d6) - fl(d5 * d4);
     if (d1 <= 0 && d2 <= 0) {
       l = {1, 0, 0};
     } else if (d3 >= 0 && d4 <= d3) {
@@ -188,7 +189,7 @@ class RoundWalk {
     const Triple &w = f_[at[0]].w, &w_1 = f_[at[1]].w, &w_2 = f_[at[2]].w;
     if (size == 1) {
       const Triple m = cross(w, r_);
-      return (dot(w, r_) - std::sqrt(std::max(r_sq_ * radius_ * radius_ - dot(m, m), 0.0))) / r_sq_;
+      return (dot(w, r_) - std::sqrt(std::max(fl(r_sq_ * radius_ * radius_) - dot(m, m), 0.0))) / r_sq_;
     }
     if (size == 2) {
       // m.e / |e| is the area that r and w span across the edge.
@@ -196,14 +197,15 @@ class RoundWalk {
       const double e_sq = dot(e, e), rate_sq = dot(across, across);  // rate_sq = |e|^2 |r across e|^2
       if (!(rate_sq > 0x1p-60 * e_sq)) return s_low_;
       const double area = dot(w, across), middle = dot(cross(e, w), across);
-      return (middle - std::sqrt(std::max(rate_sq * radius_ * radius_ * e_sq - e_sq * area * area, 0.0))) /
+      return (middle -
+              std::sqrt(std::max(fl(rate_sq * radius_ * radius_ * e_sq) - fl(e_sq * area * area), 0.0))) /
              rate_sq;
     }
     Triple f = cross(w_1 - w, w_2 - w);
     if (dot(f, s_low_ * r_ - w) < 0) f = -f;
     const double rate = dot(f, r_);
     if (!(rate < 0)) return s_low_;
-    return (dot(f, w) + radius_ * std::sqrt(dot(f, f))) / rate;
+    return (dot(f, w) + fl(radius_ * std::sqrt(dot(f, f)))) / rate;
   }
 
   // Nothing of C is beyond a ball about the middle. The path is followed from the point at which it meets that ball.
@@ -212,8 +214,8 @@ class RoundWalk {
     const Triple c = -pair_.offset(), beside = r_sq_ * c - dot(c, r_) * r_;
     const double along = dot(c, r_), reach = pair_.a().reach() + pair_.b().reach();
     // |c - s r|^2 r.r = |beside|^2 / r.r + (s r.r - c.r)^2
-    const double beside_sq = dot(beside, beside) / r_sq_, all = (reach + radius_) * (1 + 0x1p-40) + margin_,
-                 all_sq = all * all * r_sq_;
+    const double beside_sq = dot(beside, beside) / r_sq_,
+                 all = fl((reach + radius_) * (1 + 0x1p-40)) + margin_, all_sq = all * all * r_sq_;
     if (beside_sq > all_sq) {
       out_.outcome = Outcome::miss;
       set(-beside, std::sqrt(dot(beside, beside)), 0, {});
@@ -221,8 +223,8 @@ class RoundWalk {
     }
     s_low_ = std::max((along - std::sqrt(std::max(all_sq - beside_sq, 0.0))) / r_sq_ - margin_, 0.0);
     low_axis_ = s_low_ * r_ - c;
-    const double ball = (0.58 * reach + radius_) * r_sq_,
-                 room = std::max(ball * ball - r_sq_ * beside_sq, 0.0);
+    const double ball = (fl(0.58 * reach) + radius_) * r_sq_,
+                 room = std::max(fl(ball * ball) - fl(r_sq_ * beside_sq), 0.0);
     Triple n = -(ball * beside + room * r_);
     if (!(largest(n) > 0)) n = -r_;
     support_.guess((1 / largest(n)) * n, f_[0]);
@@ -276,7 +278,7 @@ class RoundWalk {
     // Nothing is met before what is proved so far.
     const double bound = std::min(s_low_ * rate, dot(n, end_));
     const bool ends = h - at <= noise_ / 2 * length && guess_ > noise_,
-               sure = ends || (h < bound - slack && !(h < bound - slack - guess_ * length));
+               sure = ends || (h < bound - slack && !(h < bound - slack - fl(guess_ * length)));
     if (sure) {
       support_.sure(n, w);
       h = dot(n, w.w) + ball;

@@ -15,8 +15,8 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 template <Scalar S>
 bool advance(Sweep<S>& out, const Vec3<S>& r, const Vec3<S>& n, S apart, S s_max) {
   // An axis that separates: no length, or none, would prove a miss.
-  GRAZE_ASSERT(apart > 0 && std::abs(n.squaredNorm() - 1) < S(1e-3));
-  const S closing = -n.dot(r);
+  GRAZE_ASSERT(apart > 0 && std::abs(squared_norm(n) - 1) < S(1e-3));
+  const S closing = -dot(n, r);
   const S next = out.lower + apart / closing;
   if (!(closing > 0) || next > s_max) {
     out.outcome = Outcome::miss;
@@ -51,7 +51,7 @@ bool closes_in_hand(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& limi
   if (!(limits.target > limits.noise) || !(out.lower > 0) || !(apart <= limits.target)) return false;
   const Vec3<S>& r = cso.direction();
   const Vec3<S> x = out.lower * r;
-  const S R = cso.radius(), speed = r.norm();
+  const S R = cso.radius(), speed = norm(r);
   const Simplex<S>& simplex = out.contact;
   S ahead = kInfinity<S>;  // of s
   std::array<S, 3> weights{};
@@ -60,33 +60,33 @@ bool closes_in_hand(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& limi
     for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i)
       v += simplex.lambda[i] * simplex.point[i].w;
     // |ahead r - v| = R, by twice the areas that v spans with r: nothing cancels at a graze.
-    const S along = v.dot(r), off = v.cross(r).squaredNorm(), inner = R - limits.noise;
+    const S along = dot(v, r), off = squared_norm(cross(v, r)), inner = R - limits.noise;
     if (along > 0 && inner > 0 && off < speed * speed * inner * inner)
-      ahead = (along - std::sqrt(speed * speed * R * R - off)) / (speed * speed);
+      ahead = (along - std::sqrt(fl(speed * speed * R * R) - off)) / (speed * speed);
   } else if (simplex.size == 3) {
     S sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3<S> p = simplex.point[(i + 1) % 3].w - x, q = simplex.point[(i + 2) % 3].w - x;
-      weights[i] = r.dot(p.cross(q));
+      weights[i] = dot(r, cross(p, q));
       sum += weights[i];
     }
     if (!(std::abs(sum) > 0)) return false;
     Vec3<S> v = Vec3<S>::Zero();
     for (std::size_t i = 0; i < 3; ++i) {
       // Seen along r, a corner's weight is the path's distance from the other edge over the corner's height above it.
-      const S edge = (simplex.point[(i + 1) % 3].w - simplex.point[(i + 2) % 3].w).norm();
+      const S edge = norm(simplex.point[(i + 1) % 3].w - simplex.point[(i + 2) % 3].w);
       const S inside = std::copysign(weights[i], weights[i] * sum);
       if (!(inside > limits.noise * speed * edge)) return false;
       weights[i] /= sum;
       v += weights[i] * (simplex.point[i].w - x);
     }
-    ahead = v.dot(r) / (speed * speed);
-    if (!((v - ahead * r).norm() <= limits.noise / 4)) return false;
+    ahead = dot(v, r) / (speed * speed);
+    if (!(norm(v - ahead * r) <= limits.noise / 4)) return false;
   }
   if (!(ahead >= 0 && ahead * speed <= limits.target)) return false;
   // Neither the start nor the end of the path is within rounding.
   if (!(out.lower * speed > 2 * limits.noise)) return false;
-  if (!((out.lower + ahead) * speed + limits.noise < limits.s_max * speed)) return false;
+  if (!(fl((out.lower + ahead) * speed) + limits.noise < limits.s_max * speed)) return false;
   out.outcome = Outcome::hit;
   out.upper = out.lower + ahead;
   out.apart = apart;
@@ -182,7 +182,7 @@ Sweep<S> gjk_ray_cast(const Cso<S>& cso, const SweepLimits<S>& limits, S s_begin
     if (closes_in_hand(out, cso, limits, apart)) return out;
     const CsoPoint<S> next = cso.support(closest.n);
     ++counters.supports;
-    const S clear = closest.n.dot(x - next.w) - R;
+    const S clear = dot(closest.n, x - next.w) - R;
     const S before = out.lower;
     // As above: of a contact that x has passed by rounding an axis tells that it lies behind.
     const S least = apart <= limits.noise ? limits.fine() : S(0);

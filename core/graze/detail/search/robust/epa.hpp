@@ -15,7 +15,6 @@
 // faces are not one disc, which only rounding can cause, P stays as it was: the search did not converge.
 #pragma once
 
-#include <Eigen/Geometry>  // cross
 #include <algorithm>
 #include <graze/detail/search/robust/gjk.hpp>
 #include <graze/detail/search/robust/line_frame.hpp>
@@ -55,7 +54,7 @@ class EpaPolytope {
     leaves_.assign(4, kNone);
     const Vec3<S> e1 = corner[1].w - corner[0].w, e2 = corner[2].w - corner[0].w,
                   e3 = corner[3].w - corner[0].w;
-    const S volume = e1.cross(e2).dot(e3);
+    const S volume = dot(cross(e1, e2), e3);
     if (!(std::abs(volume) > 0)) return false;
     // Seen from outside, the face opposite to corner i of a positive tetrahedron.
     constexpr std::array<std::array<std::uint32_t, 3>, 4> kPositive = {
@@ -79,7 +78,7 @@ class EpaPolytope {
   // Does P have this point, or one as near to it as rounding can tell?
   [[nodiscard]] bool holds(const CsoPoint<S>& p, S apart) const {
     return std::any_of(point_.begin(), point_.end(), [&](const CsoPoint<S>& q) {
-      return q.same_feature(p) || (q.w - p.w).squaredNorm() <= apart * apart;
+      return q.same_feature(p) || squared_norm(q.w - p.w) <= apart * apart;
     });
   }
   [[nodiscard]] Closest<S> triangle(std::size_t f, Simplex<S>& corners) const {
@@ -124,7 +123,7 @@ class EpaPolytope {
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t g = f.across[k];
         if (mark_[g] == stamp_) continue;
-        if (face_[g].n.dot(w.w) - face_[g].d >= -visible) {
+        if (dot(face_[g].n, w.w) - face_[g].d >= -visible) {
           mark_[g] = stamp_;
           seen_.push_back(g);
         } else {
@@ -191,10 +190,10 @@ class EpaPolytope {
     const Vec3<S>&a = point_[v[0]].w, &b = point_[v[1]].w, &c = point_[v[2]].w;
     f.v = v;
     f.n = unit(face_normal(a, b, c));
-    f.d = std::min({f.n.dot(a), f.n.dot(b), f.n.dot(c)});
+    f.d = std::min({dot(f.n, a), dot(f.n, b), dot(f.n, c)});
     f.alive = true;
     f.settled = false;
-    return f.n.squaredNorm() > 0;  // false for NaN too
+    return squared_norm(f.n) > 0;  // false for NaN too
   }
 
   // The faces of made_ take the slots of the seen ones, then dead ones, then fresh ones.
@@ -282,7 +281,7 @@ Tetrahedron<S> spread_tetrahedron(const Support& support, S flat) {
   S farthest = 0;
   for (const Vec3<S>& across : {frame.e1, Vec3<S>(-frame.e1), frame.e2, Vec3<S>(-frame.e2)}) {
     const CsoPoint<S> p = support(across);
-    if (const S distance = across.dot(p.w - c[0].w); distance > farthest) {
+    if (const S distance = dot(across, p.w - c[0].w); distance > farthest) {
       farthest = distance;
       c[2] = p;
     }
@@ -293,7 +292,7 @@ Tetrahedron<S> spread_tetrahedron(const Support& support, S flat) {
   out.dimension = 2;
   out.n = unit(face_normal(c[0].w, c[1].w, c[2].w));
   const CsoPoint<S> above = support(out.n), below = support(Vec3<S>(-out.n));
-  const S up = out.n.dot(above.w - c[0].w), down = out.n.dot(c[0].w - below.w);
+  const S up = dot(out.n, above.w - c[0].w), down = dot(out.n, c[0].w - below.w);
   if (std::max(up, down) > flat) out.dimension = 3;
   c[3] = up > down ? above : below;
   return out;
@@ -342,14 +341,14 @@ Epa<S> epa(const Support& given, const Simplex<S>& around, S known, S gap, S loo
   if (around.size == 4) {
     const Vec3<S> e1 = around.point[1].w - around.point[0].w, e2 = around.point[2].w - around.point[0].w,
                   e3 = around.point[3].w - around.point[0].w;
-    const S size = std::max({e1.squaredNorm(), e2.squaredNorm(), e3.squaredNorm()});
-    begun = std::abs(e1.cross(e2).dot(e3)) > size * std::sqrt(size) / 16 && size > scale * scale / 4096 &&
+    const S size = std::max({squared_norm(e1), squared_norm(e2), squared_norm(e3)});
+    begun = std::abs(dot(cross(e1, e2), e3)) > size * std::sqrt(size) / 16 && size > scale * scale / 4096 &&
             P.start(around.point);
   }
   if (!begun) {
     const Tetrahedron<S> spread = spread_tetrahedron<S>(support, noise);
     if (spread.dimension < 3) {
-      for (const Vec3<S>& n : {spread.n, Vec3<S>(-spread.n)}) bound(n, n.dot(support(n).w));
+      for (const Vec3<S>& n : {spread.n, Vec3<S>(-spread.n)}) bound(n, dot(n, support(n).w));
       return out;
     }
     if (!P.start(spread.corner)) {
@@ -366,7 +365,7 @@ Epa<S> epa(const Support& given, const Simplex<S>& around, S known, S gap, S loo
     ++counters.iterations;
     const EpaFace<S> face = P.face(f);
     const CsoPoint<S> w = support(face.n);
-    const S h = face.n.dot(w.w), least = P.face(P.nearest()).d;
+    const S h = dot(face.n, w.w), least = P.face(P.nearest()).d;
     bound(face.n, h);
     enclosed = enclosed || least >= 0;
     // The origin outside P: P says nothing about the depth of C yet.
@@ -381,7 +380,7 @@ Epa<S> epa(const Support& given, const Simplex<S>& around, S known, S gap, S loo
       }
       if (touching == P.faces() || budget <= 0) return out;
       if (touching != f) {
-        if (out.n.dot(combination(out.contact)) >= out.upper - gap) return out;
+        if (dot(out.n, combination(out.contact)) >= out.upper - gap) return out;
         // Another direction of the same depth, so far.
         --budget;
         f = touching;

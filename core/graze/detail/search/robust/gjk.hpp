@@ -52,7 +52,7 @@ Distance<S> gjk_distance(const Support& support, const Vec3<S>& x, const Vec3<S>
     }
     const CsoPoint<S> next = support(closest.n);
     ++counters.supports;
-    const S lower = closest.n.dot(x - next.w);
+    const S lower = dot(closest.n, x - next.w);
     if (lower > out.lower) {
       out.lower = lower;
       out.n = closest.n;

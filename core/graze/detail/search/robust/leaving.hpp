@@ -35,7 +35,7 @@ bool on_silhouette(const PortalView<S>& view, S noise) {
     for (std::size_t i = 0; i < size; ++i) {
       const Vec3<S>&a = corner[i], &b = corner[(i + 1) % size];
       const Vec3<S> n = unit(Vec3<S>(b[1] - a[1], a[0] - b[0], 0));
-      const S from_origin = n.dot(a);
+      const S from_origin = dot(n, a);
       if (from_origin < least && n != Vec3<S>::Zero()) {
         least = from_origin;
         nearest = i;
@@ -45,7 +45,7 @@ bool on_silhouette(const PortalView<S>& view, S noise) {
     if (least == kInfinity<S>) return true;  // the projection is a point
     if (!(least <= noise)) return false;
     const PortalPoint<S> w = view.support(n_least);
-    const S reach = n_least.dot(w.q);
+    const S reach = dot(n_least, w.q);
     if (reach <= noise) return true;
     // No farther than the edge: it is C's border there, and beyond the noise it is not.
     if (!(reach > least) || size == kSilhouetteCorners) return false;

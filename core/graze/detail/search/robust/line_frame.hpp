@@ -5,7 +5,6 @@
 // |e_i.e_j - delta_ij| <= 4 u: the tilt moves a point of the line by at most 4 u of its distance from 0.
 #pragma once
 
-#include <Eigen/Geometry>  // cross
 #include <graze/scalar.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
@@ -22,10 +21,10 @@ struct Frame {
       e3 /= most;
       length = most;
     }
-    const S norm = e3.norm();
-    GRAZE_ASSERT(norm > 0 && norm < kInfinity<S>);
-    e3 /= norm;
-    length *= norm;
+    const S rest = norm(e3);
+    GRAZE_ASSERT(rest > 0 && rest < kInfinity<S>);
+    e3 /= rest;
+    length *= rest;
     // Across the two larger coordinates: an axis-aligned r gives axis-aligned e1, e2, and ties stay ties.
     int least = 0;
     for (int i = 1; i < 3; ++i) {
@@ -34,12 +33,12 @@ struct Frame {
     Vec3<S> across = Vec3<S>::Zero();
     across[(least + 1) % 3] = -e3[(least + 2) % 3];
     across[(least + 2) % 3] = e3[(least + 1) % 3];
-    e1 = across / across.norm();
-    e2 = e3.cross(e1);
+    e1 = across / norm(across);
+    e2 = cross(e3, e1);
   }
 
   static constexpr S kShort = sizeof(S) == 8 ? S(0x1p-480) : S(0x1p-48);
-  [[nodiscard]] Vec3<S> to_frame(const Vec3<S>& c) const { return {e1.dot(c), e2.dot(c), e3.dot(c)}; }
+  [[nodiscard]] Vec3<S> to_frame(const Vec3<S>& c) const { return {dot(e1, c), dot(e2, c), dot(e3, c)}; }
   [[nodiscard]] Vec3<S> to_world(const Vec3<S>& n) const { return n[0] * e1 + n[1] * e2 + n[2] * e3; }
 };
 

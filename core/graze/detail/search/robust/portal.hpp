@@ -50,7 +50,7 @@ struct PortalSearch {
 
 template <Scalar S>
 S cross2(const Vec3<S>& a, const Vec3<S>& b) {
-  return a[0] * b[1] - a[1] * b[0];
+  return fl(a[0] * b[1]) - fl(a[1] * b[0]);
 }
 
 // Support along n given in the frame. `mirror` = -1 looks at C from behind: z becomes -z, so that the exit of
@@ -95,9 +95,9 @@ struct PortalView {
 // length across.
 template <Scalar S>
 S weight_along(const Vec3<S>& a, const Vec3<S>& b) {
-  const S ex = b[0] - a[0], ey = b[1] - a[1], length_sq = ex * ex + ey * ey;
+  const S ex = b[0] - a[0], ey = b[1] - a[1], length_sq = fl(ex * ex) + fl(ey * ey);
   if (!(length_sq > 0)) return 0;
-  return std::min(std::max(-(a[0] * ex + a[1] * ey) / length_sq, S(0)), S(1));
+  return std::min(std::max(-(fl(a[0] * ex) + fl(a[1] * ey)) / length_sq, S(0)), S(1));
 }
 
 // The corner with the most negative weight, if the origin lies beyond the edge opposite to it, or 3 if it lies
@@ -122,7 +122,7 @@ std::size_t corner_beyond(const Portal<S>& portal) {
 template <Scalar S>
 S length_across(S x, S y) {
   const double a = static_cast<double>(x), b = static_cast<double>(y);
-  return static_cast<S>(std::sqrt(a * a + b * b));
+  return static_cast<S>(std::sqrt(fl(a * a) + fl(b * b)));
 }
 
 // sum lambda q: the portal's own point.
@@ -190,8 +190,8 @@ std::array<S, 3> portal_weights(const Portal<S>& portal) {
 template <Scalar S>
 bool has_area(const PortalPoint<S>& a, const PortalPoint<S>& b, const PortalPoint<S>& c, S rounding) {
   const Vec3<S> e = b.q - a.q, f = c.q - a.q, g = c.q - b.q;
-  const S longest_sq = std::max({e.template head<2>().squaredNorm(), f.template head<2>().squaredNorm(),
-                                 g.template head<2>().squaredNorm()});
+  const S longest_sq = std::max({squared_norm(e.template head<2>()), squared_norm(f.template head<2>()),
+                                 squared_norm(g.template head<2>())});
   return std::abs(cross2(e, f)) > rounding * std::sqrt(longest_sq);
 }
 
@@ -205,7 +205,7 @@ Vec3<S> portal_normal(const Portal<S>& portal) {
     n = -face_normal(p[0].q, p[1].q, p[2].q);
   } else if (portal.size == 2) {
     // In the plane of the edge and the line.
-    const S across = std::sqrt(e[0] * e[0] + e[1] * e[1]);
+    const S across = std::sqrt(fl(e[0] * e[0]) + fl(e[1] * e[1]));
     if (across > 0) n = Vec3<S>(e[0] * e[2] / across, e[1] * e[2] / across, -across);
   }
   return unit(n);
@@ -228,19 +228,19 @@ S portal_height(const Portal<S>& portal, const Vec3<S>& n) {
       for (std::size_t i = 0; i < 3; ++i) {
         low = std::min(low, p[i].q[2]);
         high = std::max(high, p[i].q[2]);
-        const S dist_sq = p[i].q.template head<2>().squaredNorm();
+        const S dist_sq = squared_norm(p[i].q.template head<2>());
         if (dist_sq < least) {
           least = dist_sq;
           nearest = i;
         }
       }
       const Vec3<S>& q = p[nearest].q;
-      return std::min(std::max(q[2] + (n[0] * q[0] + n[1] * q[1]) / n[2], low), high);
+      return std::min(std::max(q[2] + (fl(n[0] * q[0]) + fl(n[1] * q[1])) / n[2], low), high);
     }
     j = (beyond + 1) % 3;
     k = (beyond + 2) % 3;
   }
-  return p[j].q[2] + weight_along(p[j].q, p[k].q) * (p[k].q[2] - p[j].q[2]);
+  return p[j].q[2] + fl(weight_along(p[j].q, p[k].q) * (p[k].q[2] - p[j].q[2]));
 }
 
 // The distance of the origin from the projected triangle a b c, counter-clockwise, or 0 inside. Beyond the tip of a
@@ -253,7 +253,7 @@ S outside(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, S noise) {
   for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &c), std::pair(&c, &a)}) {
     const S ex = (*to)[0] - (*from)[0], ey = (*to)[1] - (*from)[1], along = weight_along(*from, *to);
     inside = inside && cross2(*from, *to) > noise * length_across(ex, ey);
-    nearest = std::min(nearest, length_across((*from)[0] + along * ex, (*from)[1] + along * ey));
+    nearest = std::min(nearest, length_across((*from)[0] + fl(along * ex), (*from)[1] + fl(along * ey)));
   }
   return inside ? S(0) : nearest;
 }
@@ -295,11 +295,11 @@ void flatten(Portal<S>& portal, S height_lost, bool grown) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3<S>&a = portal.p[(i + 1) % 3].q, &b = portal.p[(i + 2) % 3].q;
     const S ex = b[0] - a[0], ey = b[1] - a[1];
-    const S from_a = -(a[0] * ex + a[1] * ey), from_b = b[0] * ex + b[1] * ey;
+    const S from_a = -(fl(a[0] * ex) + fl(a[1] * ey)), from_b = fl(b[0] * ex) + fl(b[1] * ey);
     between[i] = from_a >= 0 && from_b >= 0 && from_a + from_b > 0;
     const S along = weight_along(a, b);
-    off[i] = length_across(a[0] + along * ex, a[1] + along * ey);
-    height[i] = a[2] + along * (b[2] - a[2]);
+    off[i] = length_across(a[0] + fl(along * ex), a[1] + fl(along * ey));
+    height[i] = a[2] + fl(along * (b[2] - a[2]));
   }
   const S least = std::min({off[0], off[1], off[2]});
   std::size_t best = 3;
@@ -341,31 +341,31 @@ PortalSearch<S> find_portal(const PortalView<S>& view, int budget) {
   Vec3<S> n(-p[0].q[0], -p[0].q[1], 0);
   if (n == Vec3<S>::Zero()) return found(1);  // the foremost point itself, on the line
   p[1] = view.support(n);
-  if (n.dot(p[1].q) < 0) return missed(n);
+  if (dot(n, p[1].q) < 0) return missed(n);
 
   while (budget-- > 0) {
     ++view.counters.portal_steps;
     const Vec3<S> e = p[1].q - p[0].q;
     const S side = cross2(p[0].q, p[1].q);  // > 0: the origin is on the left of the edge
     n = side >= 0 ? Vec3<S>(-e[1], e[0], 0) : Vec3<S>(e[1], -e[0], 0);
-    const S inner = p[0].q[0] * p[1].q[0] + p[0].q[1] * p[1].q[1];
+    const S inner = fl(p[0].q[0] * p[1].q[0]) + fl(p[0].q[1] * p[1].q[1]);
     if (side == 0 && (inner > 0 || n == Vec3<S>::Zero())) {
       // The origin on the edge's own line, beyond its nearer end: reach past that end.
-      if (p[1].q.template head<2>().squaredNorm() < p[0].q.template head<2>().squaredNorm())
+      if (squared_norm(p[1].q.template head<2>()) < squared_norm(p[0].q.template head<2>()))
         std::swap(p[0], p[1]);
       n = Vec3<S>(-p[0].q[0], -p[0].q[1], 0);
       if (n == Vec3<S>::Zero()) return found(1);
       p[1] = view.support(n);
-      if (n.dot(p[1].q) < 0) return missed(n);
+      if (dot(n, p[1].q) < 0) return missed(n);
       continue;
     }
     p[2] = view.support(n);
-    if (n.dot(p[2].q) < 0) return missed(n);
+    if (dot(n, p[2].q) < 0) return missed(n);
     if (side == 0 || p[2].c.same_feature(p[0].c) || p[2].c.same_feature(p[1].c)) {
       // The origin is on the edge itself within rounding, so either half-plane will do.
-      if (n.dot(Vec3<S>(p[2].q - p[0].q)) > 0) return found(3);
+      if (dot(n, Vec3<S>(p[2].q - p[0].q)) > 0) return found(3);
       const PortalPoint<S> other = view.support(-n);
-      if (!(n.dot(other.q) < 0)) return found(2);
+      if (!(dot(n, other.q) < 0)) return found(2);
       p[2] = other;
       return found(3);
     }
@@ -439,7 +439,7 @@ void refine_portal(const PortalView<S>& view, PortalSearch<S>& search, const Por
     ++view.counters.portal_steps;
 
     const PortalPoint<S> w = view.support(n);
-    const S reach = n.dot(w.q);
+    const S reach = dot(n, w.q);
     if (const S lower = reach / n[2]; lower > search.lower) {
       search.lower = lower;
       search.n = view.world(n);
@@ -448,8 +448,8 @@ void refine_portal(const PortalView<S>& view, PortalSearch<S>& search, const Por
       search.state = State::rejected;
       return;
     }
-    S face = n.dot(p[0].q);
-    for (std::size_t i = 1; i < static_cast<std::size_t>(size); ++i) face = std::max(face, S(n.dot(p[i].q)));
+    S face = dot(n, p[0].q);
+    for (std::size_t i = 1; i < static_cast<std::size_t>(size); ++i) face = std::max(face, S(dot(n, p[i].q)));
     // `told`: the bracket of z is as narrow as requested. It need not be where the gap is closed: a steep
     // plane bounds z only to the gap over n_z, and a portal beyond `reject_beyond` says nothing of what is
     // before that. In both cases the gap is closed further, to the limit of rounding.

@@ -40,7 +40,7 @@ void go_on(Distance<S>& d, const Support& support, Simplex<S>& contact, S noise,
   for (int round = 0; round < kRounds && closest.n != origin && simplex.size < 4; ++round) {
     const CsoPoint<S> next = support(closest.n);
     ++counters.supports;
-    const S upper = std::sqrt(closest.dist_sq), lower = -closest.n.dot(next.w);
+    const S upper = std::sqrt(closest.dist_sq), lower = -dot(closest.n, next.w);
     const bool proves_more = lower > d.lower;
     if (upper < d.upper || (proves_more && upper <= d.upper + noise)) contact = simplex;
     d.upper = std::min(d.upper, upper);
@@ -70,7 +70,7 @@ void turn_axis(Distance<S>& d, const Support& support, Simplex<S>& contact, S no
   const auto try_axis = [&](const Vec3<S>& n) {
     ++counters.supports;
     last = support(n);
-    const S lower = -n.dot(last.w);
+    const S lower = -dot(n, last.w);
     if (!(lower > d.lower)) return false;
     d.lower = lower;
     d.n = n;
@@ -133,7 +133,7 @@ void steady_axis(Distance<S>& d, const Cso<S>& cso, Simplex<S>& contact, const S
     for (const Vec3<S>& n : {entry.n, entry.facing}) {
       if (n == Vec3<S>::Zero()) continue;
       ++counters.supports;
-      if (const S lower = -n.dot(cso.support(n).w); lower > d.lower) {
+      if (const S lower = -dot(n, cso.support(n).w); lower > d.lower) {
         d.lower = lower;
         d.n = n;
       }

@@ -12,7 +12,6 @@
 // so that a wrong region can cost a step, never an answer.
 #pragma once
 
-#include <Eigen/Geometry>  // cross
 #include <graze/detail/pairs/cso.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
@@ -53,12 +52,12 @@ Vec3<S> combination(const Simplex<S>& simplex) {
 template <Scalar S>
 Vec3<S> face_normal(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c) {
   const Vec3<S> ab = b - a, bc = c - b, ca = a - c;
-  const S ab_sq = ab.squaredNorm(), bc_sq = bc.squaredNorm(), ca_sq = ca.squaredNorm();
+  const S ab_sq = squared_norm(ab), bc_sq = squared_norm(bc), ca_sq = squared_norm(ca);
   const auto across = [](const Vec3<S>& m, const Vec3<S>& longest, S length_sq) -> Vec3<S> {
-    return length_sq > 0 ? Vec3<S>(m - (m.dot(longest) / length_sq) * longest) : m;
+    return length_sq > 0 ? Vec3<S>(m - (dot(m, longest) / length_sq) * longest) : m;
   };
-  if (ab_sq >= bc_sq && ab_sq >= ca_sq) return across(bc.cross(ca), ab, ab_sq);
-  return bc_sq >= ca_sq ? across(ca.cross(ab), bc, bc_sq) : across(ab.cross(bc), ca, ca_sq);
+  if (ab_sq >= bc_sq && ab_sq >= ca_sq) return across(cross(bc, ca), ab, ab_sq);
+  return bc_sq >= ca_sq ? across(cross(ca, ab), bc, bc_sq) : across(cross(ab, bc), ca, ca_sq);
 }
 
 template <Scalar S>
@@ -89,7 +88,7 @@ template <Scalar S>
 Closest<S> closest_vertex(const Points4<S>& y, int i) {
   Closest<S> out;
   out.v = y[static_cast<std::size_t>(i)];
-  out.dist_sq = out.v.squaredNorm();
+  out.dist_sq = squared_norm(out.v);
   out.n = -unit(out.v);
   out.size = 1;
   out.index[0] = static_cast<std::uint8_t>(i);
@@ -101,17 +100,17 @@ Closest<S> closest_vertex(const Points4<S>& y, int i) {
 template <Scalar S>
 Closest<S> closest_edge(const Points4<S>& y, int i, int j) {
   // Measured from the end nearer to the origin: less is cancelled.
-  if (y[static_cast<std::size_t>(j)].squaredNorm() < y[static_cast<std::size_t>(i)].squaredNorm())
+  if (squared_norm(y[static_cast<std::size_t>(j)]) < squared_norm(y[static_cast<std::size_t>(i)]))
     std::swap(i, j);
   const Vec3<S>&from = y[static_cast<std::size_t>(i)], &to = y[static_cast<std::size_t>(j)];
   const Vec3<S> e = to - from;
-  const S along = -from.dot(e), length_sq = e.squaredNorm();
+  const S along = -dot(from, e), length_sq = squared_norm(e);
   Closest<S> out;
   if (!(along > 0 && along < length_sq)) return out;
   const S lambda = along / length_sq;
   out.v = from + lambda * e;
-  out.v -= e * (out.v.dot(e) / length_sq);  // once more: what the first subtraction left along e
-  out.dist_sq = out.v.squaredNorm();
+  out.v -= e * (dot(out.v, e) / length_sq);  // once more: what the first subtraction left along e
+  out.dist_sq = squared_norm(out.v);
   out.n = -unit(out.v);
   out.size = 2;
   out.index = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j)};
@@ -124,35 +123,35 @@ template <Scalar S>
 Closest<S> closest_face(const Points4<S>& y, std::array<int, 3> at) {
   // From the corner nearest to the origin.
   for (std::size_t i = 1; i < 3; ++i) {
-    if (y[static_cast<std::size_t>(at[i])].squaredNorm() < y[static_cast<std::size_t>(at[0])].squaredNorm()) {
+    if (squared_norm(y[static_cast<std::size_t>(at[i])]) < squared_norm(y[static_cast<std::size_t>(at[0])])) {
       std::swap(at[0], at[i]);
     }
   }
   const Vec3<S>&a = y[static_cast<std::size_t>(at[0])], &b = y[static_cast<std::size_t>(at[1])],
         &c = y[static_cast<std::size_t>(at[2])];
   const Vec3<S> e1 = b - a, e2 = c - a, m = face_normal(a, b, c);
-  const S area_sq = m.squaredNorm();
+  const S area_sq = squared_norm(m);
   Closest<S> out;
   if (!(area_sq > 0)) return out;
-  S lambda1 = -m.dot(a.cross(e2)) / area_sq, lambda2 = -m.dot(e1.cross(a)) / area_sq;
+  S lambda1 = -dot(m, cross(a, e2)) / area_sq, lambda2 = -dot(m, cross(e1, a)) / area_sq;
   S lambda0 = 1 - lambda1 - lambda2;
   if (!(lambda0 > 0 && lambda1 > 0 && lambda2 > 0)) return out;
   out.v = a + lambda1 * e1 + lambda2 * e2;
   // On a sliver of height h the weights round by u |a| / h, and v by that along its length: what v has in the
   // plane is taken off once, v being short.
-  if (area_sq < kSliver<S> * e1.squaredNorm() * e2.squaredNorm()) {
-    const S again1 = lambda1 - m.dot(out.v.cross(e2)) / area_sq,
-            again2 = lambda2 - m.dot(e1.cross(out.v)) / area_sq, again0 = 1 - again1 - again2;
+  if (area_sq < kSliver<S> * squared_norm(e1) * squared_norm(e2)) {
+    const S again1 = lambda1 - dot(m, cross(out.v, e2)) / area_sq,
+            again2 = lambda2 - dot(m, cross(e1, out.v)) / area_sq, again0 = 1 - again1 - again2;
     const Vec3<S> nearer = a + again1 * e1 + again2 * e2;
-    if (again0 > 0 && again1 > 0 && again2 > 0 && nearer.squaredNorm() < out.v.squaredNorm()) {
+    if (again0 > 0 && again1 > 0 && again2 > 0 && squared_norm(nearer) < squared_norm(out.v)) {
       lambda0 = again0;
       lambda1 = again1;
       lambda2 = again2;
       out.v = nearer;
     }
   }
-  out.dist_sq = out.v.squaredNorm();
-  out.n = unit(m.dot(a) > 0 ? Vec3<S>(-m) : m);
+  out.dist_sq = squared_norm(out.v);
+  out.n = unit(dot(m, a) > 0 ? Vec3<S>(-m) : m);
   out.size = 3;
   out.index = {static_cast<std::uint8_t>(at[0]), static_cast<std::uint8_t>(at[1]),
                static_cast<std::uint8_t>(at[2])};
@@ -174,18 +173,18 @@ void try_triangle(Closest<S>& best, const Points4<S>& y, int i, int j, int k) {
 template <Scalar S>
 Closest<S> closest_inside(const Points4<S>& y) {
   const Vec3<S> e1 = y[1] - y[0], e2 = y[2] - y[0], e3 = y[3] - y[0], a = -y[0];
-  const Vec3<S> m = e2.cross(e3);
-  const S volume = e1.dot(m);
+  const Vec3<S> m = cross(e2, e3);
+  const S volume = dot(e1, m);
   // |error of volume| <= 8 u |e1||e2||e3|: three roundings in each product, three in the sum, two in the
   // edges.
-  const S predicate_error = 8 * kUnitRoundoff<S> * e1.norm() * e2.norm() * e3.norm();
+  const S predicate_error = 8 * kUnitRoundoff<S> * norm(e1) * norm(e2) * norm(e3);
   Closest<S> out;
   if (!(std::abs(volume) > predicate_error)) return out;
-  const S l1 = a.dot(m) / volume, l2 = e1.dot(a.cross(e3)) / volume, l3 = e1.dot(e2.cross(a)) / volume;
+  const S l1 = dot(a, m) / volume, l2 = dot(e1, cross(a, e3)) / volume, l3 = dot(e1, cross(e2, a)) / volume;
   const S l0 = 1 - l1 - l2 - l3;
   if (!(l0 > 0 && l1 > 0 && l2 > 0 && l3 > 0)) return out;
   out.v = y[0] + l1 * e1 + l2 * e2 + l3 * e3;
-  out.dist_sq = out.v.squaredNorm();
+  out.dist_sq = squared_norm(out.v);
   out.size = 4;
   out.index = {0, 1, 2, 3};
   out.lambda = {l0, l1, l2, l3};

@@ -40,7 +40,7 @@ Clip<S> clip_to_bounds(const Cso<S>& cso, S s_max, Counters& counters) {
   for (int i = 0; i < 3; ++i) {
     for (const S sign : {S(1), S(-1)}) {
       const Vec3<S> n = sign * Vec3<S>::Unit(i);
-      const S h = n.dot(cso.support(n).w) + cso.radius(), speed = n.dot(r);
+      const S h = dot(n, cso.support(n).w) + cso.radius(), speed = dot(n, r);
       ++counters.supports;
       if (speed == 0) {
         if (h < 0) {
@@ -61,8 +61,7 @@ Clip<S> clip_to_bounds(const Cso<S>& cso, S s_max, Counters& counters) {
   }
   // Outward by the rounding of h: the clip must never lose a contact.
   const S slack = cso.reach_error() + 4 * kUnitRoundoff<S> * cso.radius();
-  const S slack_s =
-      slack * (n_enter.cwiseAbs().sum() + n_leave.cwiseAbs().sum()) + 4 * kUnitRoundoff<S> * out.enter;
+  const S slack_s = fl(slack * (norm_1(n_enter) + norm_1(n_leave))) + 4 * kUnitRoundoff<S> * out.enter;
   if (out.leave + slack_s < out.enter) {
     out.missed = true;
     out.n = unit(Vec3<S>(n_enter + n_leave));
@@ -115,7 +114,7 @@ Simplex<S> contact_of(const PortalSearch<S>& search) {
 // enters. By the plane the origin is no deeper in C than the gap, and C is as near as the portal.
 template <Scalar S>
 bool holds_origin(const PortalSearch<S>& search, S noise) {
-  return closest_to_origin(contact_of(search), Vec3<S>(Vec3<S>::Zero())).v.norm() <= noise;
+  return norm(closest_to_origin(contact_of(search), Vec3<S>(Vec3<S>::Zero())).v) <= noise;
 }
 
 }}}  // namespace graze::GRAZE_LINKAGE::detail

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <graze/detail/numeric/sine_cosine.hpp>
 #include <graze/scalar.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
@@ -42,7 +43,7 @@ inline double below_plane(double distance, double facing, double noise) {
 inline double falls_below(double a, double b, double c, double noise, double size) {
   if (!(c >= -noise * size)) return -kInfinity<double>;  // NaN as well
   if (b <= noise && a >= -kInnerBallRounding) return kInfinity<double>;
-  const double under = b * b - a * c;
+  const double under = fl(b * b) - fl(a * c);
   if (under < 0) return kInfinity<double>;
   const double sum = b + std::sqrt(under);
   return sum > 0 ? std::max(c, 0.0) / sum : kInfinity<double>;
@@ -64,7 +65,7 @@ inline double inner_ball(const SolidCore& core, const Vec3<double>& x, const Vec
     case Kind::box:
       return std::min({between_planes(0), between_planes(1), between_planes(2)});
     case Kind::ellipsoid: {
-      const double least = h.minCoeff(), reach = h.cwiseProduct(n).norm();
+      const double least = h.minCoeff(), reach = norm(scaled_by_axis(h, n));
       return reach > 0 ? least * least / reach : 0;
     }
     case Kind::cylinder:
@@ -73,12 +74,13 @@ inline double inner_ball(const SolidCore& core, const Vec3<double>& x, const Vec
   }
   // The distance of the slant from the axis at x, and how much less of it there is for each unit of r.
   const bool is_cone = core.kind == Kind::cone;
-  const double slant = std::hypot(h[0], 2 * h[2]);
+  const double slant = hypotenuse(h[0], 2 * h[2]);
   const double across = is_cone ? 2 * h[2] / slant : 1, up = is_cone ? h[0] / slant : 0;
-  const double a = is_cone ? (h[2] - x[2]) * up / across : h[0], k = (1 - n[2] * up) / across;
-  const double out_sq = x[0] * x[0] + x[1] * x[1], along = x[0] * n[0] + x[1] * n[1],
-               flat_sq = n[0] * n[0] + n[1] * n[1];
-  const double around = falls_below(k * k - flat_sq, a * k - along, a * a - out_sq, noise, 2 * h.maxCoeff());
+  const double a = is_cone ? (h[2] - x[2]) * up / across : h[0], k = (1 - fl(n[2] * up)) / across;
+  const double out_sq = fl(x[0] * x[0]) + fl(x[1] * x[1]), along = fl(x[0] * n[0]) + fl(x[1] * n[1]),
+               flat_sq = fl(n[0] * n[0]) + fl(n[1] * n[1]);
+  const double around =
+      falls_below(fl(k * k) - flat_sq, fl(a * k) - along, fl(a * a) - out_sq, noise, 2 * h.maxCoeff());
   const double ends = is_cone ? below_plane(h[2] + x[2], -n[2], noise) : between_planes(2);
   return std::min({around, k > 0 ? a / k : 0.0, ends});
 }

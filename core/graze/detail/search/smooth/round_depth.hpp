@@ -58,7 +58,7 @@ class RoundDepth : public RoundSlopes {
     offer(n);
     const auto is_close = [&] {
       polish_along_seams();
-      lower_ = -difference().norm();
+      lower_ = -norm(difference());
       return best_.h - lower_ <= close;
     };
     if (is_close()) return true;
@@ -81,7 +81,7 @@ class RoundDepth : public RoundSlopes {
   };
   struct Cap {
     Vec n;
-    double angle, h;
+    double half_tangent, h;  // of half the angle
   };
 
   // A first guess of the least h: from where the contact is the shortest way out of one of the bodies, to a minimum near by, which
@@ -92,7 +92,9 @@ class RoundDepth : public RoundSlopes {
       const Norm& o = norms_[std::size_t(i)];
       if (o.flat) continue;
       Eigen::Index least = 0;
-      o.m.rowwise().squaredNorm().minCoeff(&least);
+      for (Eigen::Index row = 1; row < 3; ++row) {
+        if (squared_norm(o.m.row(row)) < squared_norm(o.m.row(least))) least = row;
+      }
       const Vec n = unit(Vec(o.m.row(least).transpose()));
       offer(n);
       offer(Vec(-n));
@@ -103,8 +105,8 @@ class RoundDepth : public RoundSlopes {
     polish();
     for (int i = 0; i < seam_count_; ++i) {
       const Seam& s = seams_[std::size_t(i)];
-      const Vec around = best_.n - s.a.dot(best_.n) * s.a;
-      if (around.squaredNorm() > 0x1p-40) offer(unit(Vec(s.level * s.a + s.across * unit(around))), i);
+      const Vec around = best_.n - dot(s.a, best_.n) * s.a;
+      if (squared_norm(around) > 0x1p-40) offer(unit(Vec(s.level * s.a + s.across * unit(around))), i);
     }
     polish();
   }
@@ -141,34 +143,33 @@ class RoundDepth : public RoundSlopes {
       if (!o.flat) continue;
       for (const double sign : {1.0, -1.0}) {
         const Vec n = sign * o.pole;
-        const bool present = o.seam < 0 || n.dot(seams_[std::size_t(o.seam)].a) < 0;
+        const bool present = o.seam < 0 || dot(n, seams_[std::size_t(o.seam)].a) < 0;
         Vec w;
         const double h = offer(n, -1, -1, present ? i : -1);
         value(n, &w, i);
         // At the pole the free part counts against the rest: any point of a seam's segment bounds h from below.
         for (int k = 0; k < seam_count_; ++k) {
           const Seam& s = seams_[std::size_t(k)];
-          const double u = s.a.dot(n);
+          const double u = dot(s.a, n);
           if (s.cone || !(std::abs(u) <= 4 * kU)) continue;
-          const double along = (w - w.dot(n) * n).dot(s.a);
+          const double along = dot(w - dot(w, n) * n, s.a);
           w -= (u >= 0 ? std::clamp(along, 0.0, 2 * s.half) : std::clamp(along, -2 * s.half, 0.0)) * s.a;
         }
         // Within this angle of the pole no h is below that of the pole: h(n') >= w.n' + least |n' x pole|.
-        const double spare = o.least - (w - w.dot(n) * n).norm();
-        caps_[std::size_t(cap_count_++)] = {n, present && spare > 0 && h > 0 ? 2 * std::atan(spare / h) : 0.0,
-                                            h};
+        const double spare = o.least - norm(w - dot(w, n) * n);
+        caps_[std::size_t(cap_count_++)] = {n, present && spare > 0 && h > 0 ? spare / h : 0.0, h};
       }
     }
     for (int i = 0; i < seam_count_; ++i) {
       for (int j = i + 1; j < seam_count_; ++j) {
         const Seam &s = seams_[std::size_t(i)], &o = seams_[std::size_t(j)];
-        const Vec e = s.a.cross(o.a);
-        const double sin_sq = e.squaredNorm(), cosine = s.a.dot(o.a);
+        const Vec e = cross(s.a, o.a);
+        const double sin_sq = squared_norm(e), cosine = dot(s.a, o.a);
         if (!(sin_sq > 0)) continue;
-        const double alpha = (s.level - o.level * cosine) / sin_sq,
-                     beta = (o.level - s.level * cosine) / sin_sq;
+        const double alpha = (s.level - fl(o.level * cosine)) / sin_sq,
+                     beta = (o.level - fl(s.level * cosine)) / sin_sq;
         const Vec in = alpha * s.a + beta * o.a;
-        const double rest = (1 - in.squaredNorm()) / sin_sq;
+        const double rest = (1 - squared_norm(in)) / sin_sq;
         if (!(rest >= 0)) continue;
         const double g = std::sqrt(rest);
         for (const double sign : {1.0, -1.0}) offer(unit(Vec(in + sign * g * e)), i, j);
@@ -185,7 +186,7 @@ class RoundDepth : public RoundSlopes {
 
   // The least that b x + h/2 x^2 can be for |x - at| <= half, given as lo <= x <= hi.
   static double least_of(double b, double h, double lo, double hi) {
-    const auto q = [&](double x) { return x * (b + 0.5 * h * x); };
+    const auto q = [&](double x) { return x * (b + fl(0.5 * h * x)); };
     double out = std::min(q(lo), q(hi));
     if (h > 0) {
       const double x = std::clamp(-b / h, lo, hi);
@@ -198,8 +199,8 @@ class RoundDepth : public RoundSlopes {
   bool look(const Chart& c, Cell& box) {
     Place<double>& mid = box.mid;
     mid = {box.c0 + box.c1, box.s0 + box.s1, box.x0 + box.x1, box.y0 + box.y1};
-    const double k = 1 / std::sqrt(mid.c * mid.c + mid.s * mid.s),
-                 l = 1 / std::sqrt(mid.x * mid.x + mid.y * mid.y);
+    const double k = 1 / std::sqrt(fl(mid.c * mid.c) + fl(mid.s * mid.s)),
+                 l = 1 / std::sqrt(fl(mid.x * mid.x) + fl(mid.y * mid.y));
     mid.c *= k;
     mid.s *= k;
     mid.x *= l;
@@ -211,11 +212,12 @@ class RoundDepth : public RoundSlopes {
     const double h = box.h = value(n, &w);
     take({.n = n, .h = h, .seams = {c.owner, -1}});
     // No farther from the middle than rho.
-    box.rho = box.a + std::max(std::max(box.c0, box.c1), mid.c) * box.b;
-    const double across = std::sqrt(std::max(0.0, w.squaredNorm() - h * h));
+    box.rho = box.a + fl(std::max(std::max(box.c0, box.c1), mid.c) * box.b);
+    const double across = std::sqrt(std::max(0.0, squared_norm(w) - fl(h * h)));
     // The range of w.n, over angles below a right one.
     if (box.rho < 1.5) {
-      const double bound = (h >= 0 ? h * std::cos(box.rho) : h) - across * std::sin(box.rho);
+      const SineCosine<double> at = rounded_sine_cosine(box.rho);
+      const double bound = (h >= 0 ? h * at.cosine : h) - fl(across * at.sine);
       box.bound = std::max(box.bound, bound);
     }
     if (!(box.bound >= best_.h - gap_)) return true;
@@ -228,12 +230,16 @@ class RoundDepth : public RoundSlopes {
     const bool line = c.owner >= 0;
     const Place<double>& mid = box.mid;
     const double rho = box.rho;
+    const SineCosine<double> turn = rounded_sine_cosine(rho);
     const Vec n = c.at(mid);
     for (int i = 0; i < cap_count_; ++i) {
       const Cap& cap = caps_[std::size_t(i)];
-      if (!(cap.angle > rho)) continue;
-      const double chord = (n - cap.n).norm();  // <= angle
-      if (chord < 1.9 && 2 * std::asin(chord / 2) + rho < cap.angle) return true;
+      if (!(cap.half_tangent > 0 && rho < 3)) continue;
+      const double chord = norm(n - cap.n);  // <= angle
+      if (!(chord < 1.9)) continue;
+      // The angle of the chord and rho add up to less than the cap's: by the tangents of their halves.
+      const double half = chord / std::sqrt(4 - fl(chord * chord)), more = turn.sine / (1 + turn.cosine);
+      if (half + more < cap.half_tangent * (1 - fl(half * more))) return true;
     }
     const Place<Interval> z =
         line ? Place<Interval>{box.c0, box.s0, between(box.x0, box.x1), between(box.y0, box.y1)}
@@ -244,7 +250,7 @@ class RoundDepth : public RoundSlopes {
     std::array<Slopes<Interval>, 2> norm;
     for (int i = 0; i < norm_count_; ++i) {
       const Form& f = c.form[std::size_t(i)];
-      const double at = (norms_[std::size_t(i)].m * n).norm(), far = f.most * rho;
+      const double at = detail::norm(norms_[std::size_t(i)].m * n), far = f.most * rho;
       Interval value{at - far, at + far};
       Slopes<Interval>& s = norm[std::size_t(i)];
       if (f.axial) {
@@ -253,8 +259,9 @@ class RoundDepth : public RoundSlopes {
       }
       // by the form
       const Interval sin2p = 2 * (z.x * z.y), cos2p = Interval(1) - 2 * square(z.y);
-      const Interval q = f.p33 * square(z.s) + square(z.c) * (Interval(f.m) + (f.d * cos2p + f.p12 * sin2p)) +
-                         2 * ((z.s * z.c) * (f.p13 * z.x + f.p23 * z.y));
+      const Interval q = fl(f.p33 * square(z.s)) +
+                         fl(square(z.c) * (Interval(f.m) + (fl(f.d * cos2p) + fl(f.p12 * sin2p)))) +
+                         2 * ((z.s * z.c) * (fl(f.p13 * z.x) + fl(f.p23 * z.y)));
       const double predicate_error = 16 * kU * f.most * f.most;
       value.lo = std::max(value.lo, std::sqrt(std::max(q.lo - predicate_error, 0.0)));
       value.hi = std::min(value.hi, std::sqrt(q.hi + predicate_error));
@@ -263,7 +270,7 @@ class RoundDepth : public RoundSlopes {
         const Interval inverse{1 / value.hi, 1 / value.lo};
         s = slopes_of<Interval>(f, z, inverse);
         const double more = predicate_error / value.lo;
-        const double twice = (predicate_error + 3 * top * more) / value.lo;
+        const double twice = (predicate_error + fl(3 * top * more)) / value.lo;
         s.t = s.t + Interval{-more, more};
         s.p = s.p + Interval{-more * c_top, more * c_top};
         s.tt = s.tt + Interval{-twice, twice};
@@ -293,7 +300,7 @@ class RoundDepth : public RoundSlopes {
         continue;
       }
       Interval u = height(c.seam[std::size_t(i)], z);
-      const double at = s.a.dot(n);
+      const double at = dot(s.a, n);
       u.lo = std::max(u.lo, at - rho);
       u.hi = std::min(u.hi, at + rho);
       if (u.lo > s.level) {
@@ -322,10 +329,10 @@ class RoundDepth : public RoundSlopes {
       // Along the slope in the middle, by how much it can change to there.
       {
         const double tt = largest(s.tt) * box.a, tp = largest(s.tp), pp = largest(s.pp) * box.b;
-        const double off_t = tt + tp * box.b, off_p = tp * box.a + pp;
+        const double off_t = tt + fl(tp * box.b), off_p = fl(tp * box.a) + pp;
         if (line ? std::abs(g.p) - pp > slack
                  : std::abs(g.t) - off_t > slack || std::abs(g.p) - off_p > slack ||
-                       g.t * g.t + g.p * g.p - std::abs(g.t) * off_t - std::abs(g.p) * off_p >
+                       fl(g.t * g.t) + fl(g.p * g.p) - fl(std::abs(g.t) * off_t) - fl(std::abs(g.p) * off_p) >
                            slack * (std::abs(g.t) + std::abs(g.p)))
           continue;
       }
@@ -353,20 +360,20 @@ class RoundDepth : public RoundSlopes {
       if (line) {
         bound = f + least_of(g.p, s.pp.lo, lo_p, hi_p);
       } else {
-        const double cross = largest(s.tp);
+        const double mixed = largest(s.tp);
         double h_t = s.tt.lo, h_p = s.pp.lo;
-        // h_t/2 dt^2 - cross |dt dp| >= -cross^2 / (2 h_t) dp^2
+        // h_t/2 dt^2 - mixed |dt dp| >= -mixed^2 / (2 h_t) dp^2
         double lost = 0;
-        if (cross > 0) {
-          if (h_t > 0 && h_t * h_p >= cross * cross) {
-            const double part = h_p > 0 ? cross * std::sqrt(h_t / h_p) : 0;
-            h_p -= h_p > 0 ? cross * std::sqrt(h_p / h_t) : 0;
+        if (mixed > 0) {
+          if (h_t > 0 && h_t * h_p >= mixed * mixed) {
+            const double part = h_p > 0 ? mixed * std::sqrt(h_t / h_p) : 0;
+            h_p -= h_p > 0 ? mixed * std::sqrt(h_p / h_t) : 0;
             h_t -= part;
           } else {
-            lost = cross * std::max(-lo_t, hi_t) * std::max(-lo_p, hi_p);
+            lost = mixed * std::max(-lo_t, hi_t) * std::max(-lo_p, hi_p);
             // or at the cost of h_p
             if (h_t > 0) {
-              const double h2 = h_p - 2 * cross * cross / h_t;
+              const double h2 = h_p - 2 * mixed * mixed / h_t;
               const double one = least_of(g.t, h_t / 2, lo_t, hi_t) + least_of(g.p, h2, lo_p, hi_p);
               const double two = least_of(g.t, h_t, lo_t, hi_t) + least_of(g.p, h_p, lo_p, hi_p) - lost;
               lost = 0;
@@ -400,8 +407,8 @@ class RoundDepth : public RoundSlopes {
     for (int i = 0; i < count; ++i) {
       if (look(c, first[std::size_t(i)])) stack[size++] = first[std::size_t(i)];
     }
-    std::sort(stack.begin(), stack.begin() + long(size),
-              [](const Cell& l, const Cell& r) { return l.h > r.h; });
+    std::stable_sort(stack.begin(), stack.begin() + long(size),
+                     [](const Cell& l, const Cell& r) { return l.h > r.h; });
     while (size > 0 && !is_enclosed()) {
       Cell box = stack[--size];
       if (box.bound >= best_.h - gap_) {
@@ -457,8 +464,8 @@ class RoundDepth : public RoundSlopes {
       const Norm& o = norms_[std::size_t(i)];
       for (int k = 0; k < 3; ++k) {
         Vec a = o.m.row(k).transpose();
-        if (o.flat && !(a.norm() > 0)) a = o.pole;
-        if (!(a.norm() > 0)) continue;
+        if (o.flat && !(norm(a) > 0)) a = o.pole;
+        if (!(norm(a) > 0)) continue;
         a = unit(a);
         if (const double one = skew(a); one < least) {
           least = one;
@@ -482,7 +489,7 @@ class RoundDepth : public RoundSlopes {
     Chart c = chart(line ? seams_[std::size_t(best_.seams[0])].a : across(best_.n));
     if (line) c.owner = best_.seams[0];
     const Vec own = c.own(best_.n);
-    Place<double> z{std::hypot(own[0], own[1]), own[2], 1, 0};
+    Place<double> z{hypotenuse(own[0], own[1]), own[2], 1, 0};
     if (!(z.c > 0)) return;
     z.x = own[0] / z.c;
     z.y = own[1] / z.c;
@@ -502,7 +509,7 @@ class RoundDepth : public RoundSlopes {
         if (h > best_.h + slack) continue;
         if (!(h < best_.h - slack) && !(size(then) < size(g))) return false;
         const Vec n = c.at(next);
-        best_.n = n / n.norm();
+        best_.n = n / norm(n);
         best_.h = h;
         z = next;
         g = then;

@@ -42,7 +42,7 @@ class RoundSlopes : public RoundSum {
     std::array<Vec, 8> seam;  // in the chart's axes
     Vec center;
     int owner = -1;
-    [[nodiscard]] Vec own(const Vec& x) const { return {e1.dot(x), e2.dot(x), a.dot(x)}; }
+    [[nodiscard]] Vec own(const Vec& x) const { return {dot(e1, x), dot(e2, x), dot(a, x)}; }
     [[nodiscard]] Vec at(const Place<double>& z) const { return z.c * (z.x * e1 + z.y * e2) + z.s * a; }
   };
 
@@ -52,25 +52,25 @@ class RoundSlopes : public RoundSum {
     const Vec other = m[0] <= m[1] && m[0] <= m[2] ? Vec(Vec::UnitX())
                       : m[1] <= m[2]               ? Vec(Vec::UnitY())
                                                    : Vec(Vec::UnitZ());
-    return unit(Vec(axis.cross(other)));
+    return unit(Vec(cross(axis, other)));
   }
   [[nodiscard]] Chart chart(const Vec& axis) const {
     Chart out;
     out.a = axis;
     out.e1 = across(axis);
-    out.e2 = axis.cross(out.e1);
+    out.e2 = cross(axis, out.e1);
     for (int i = 0; i < norm_count_; ++i) {
       const Norm& o = norms_[std::size_t(i)];
       Form& f = out.form[std::size_t(i)];
       const Vec x = o.m * out.e1, y = o.m * out.e2, z = o.m * out.a;
-      f.p33 = z.squaredNorm();
-      f.m = (x.squaredNorm() + y.squaredNorm()) / 2;
-      f.d = (x + y).dot(x - y) / 2;
-      f.p12 = x.dot(y);
-      f.p13 = x.dot(z);
-      f.p23 = y.dot(z);
+      f.p33 = squared_norm(z);
+      f.m = (squared_norm(x) + squared_norm(y)) / 2;
+      f.d = dot(x + y, x - y) / 2;
+      f.p12 = dot(x, y);
+      f.p13 = dot(x, z);
+      f.p23 = dot(y, z);
       f.most = o.most;
-      f.axial = o.flat && o.pole.cross(axis).squaredNorm() <= 16 * kU * kU && o.least == o.most;
+      f.axial = o.flat && squared_norm(cross(o.pole, axis)) <= 16 * kU * kU && o.least == o.most;
     }
     for (int i = 0; i < seam_count_; ++i) out.seam[std::size_t(i)] = out.own(seams_[std::size_t(i)].a);
     out.center = out.own(center_);
@@ -79,7 +79,7 @@ class RoundSlopes : public RoundSum {
   // How far from symmetric about an axis.
   [[nodiscard]] double skew(const Vec& axis) const {
     const Chart c = chart(axis);
-    double out = std::hypot(c.center[0], c.center[1]);
+    double out = hypotenuse(c.center[0], c.center[1]);
     for (int i = 0; i < norm_count_; ++i) {
       const Form& f = c.form[std::size_t(i)];
       out += (std::abs(f.d) + std::abs(f.p12) + std::abs(f.p13) + std::abs(f.p23)) / f.most;
@@ -89,17 +89,17 @@ class RoundSlopes : public RoundSum {
 
   template <class T>
   static void add_linear(const Vec& b, const Place<T>& z, Slopes<T>& out) {
-    const T l = b[0] * z.x + b[1] * z.y, l_p = b[1] * z.x - b[0] * z.y;
-    const T g = z.c * l + b[2] * z.s;
-    out.t = out.t + (b[2] * z.c - z.s * l);
-    out.p = out.p + z.c * l_p;
+    const T l = fl(b[0] * z.x) + fl(b[1] * z.y), l_p = fl(b[1] * z.x) - fl(b[0] * z.y);
+    const T g = fl(z.c * l) + fl(b[2] * z.s);
+    out.t = out.t + (fl(b[2] * z.c) - fl(z.s * l));
+    out.p = out.p + fl(z.c * l_p);
     out.tt = out.tt - g;
-    out.tp = out.tp - z.s * l_p;
-    out.pp = out.pp - z.c * l;
+    out.tp = out.tp - fl(z.s * l_p);
+    out.pp = out.pp - fl(z.c * l);
   }
   template <class T>
   static T height(const Vec& b, const Place<T>& z) {
-    return z.c * (b[0] * z.x + b[1] * z.y) + b[2] * z.s;
+    return fl(z.c * (fl(b[0] * z.x) + fl(b[1] * z.y))) + fl(b[2] * z.s);
   }
 
   // inverse: of the norm's value, which is above 0.
@@ -112,15 +112,15 @@ class RoundSlopes : public RoundSum {
       return out;
     }
     const T sin2p = 2 * (z.x * z.y), cos2p = T(1) - 2 * square(z.y);
-    const T B = f.d * cos2p + f.p12 * sin2p, B_p = 2 * (f.p12 * cos2p - f.d * sin2p);
-    const T L = f.p13 * z.x + f.p23 * z.y, L_p = f.p23 * z.x - f.p13 * z.y;
+    const T B = fl(f.d * cos2p) + fl(f.p12 * sin2p), B_p = 2 * (fl(f.p12 * cos2p) - fl(f.d * sin2p));
+    const T L = fl(f.p13 * z.x) + fl(f.p23 * z.y), L_p = fl(f.p23 * z.x) - fl(f.p13 * z.y);
     const T sin2 = 2 * (z.s * z.c), cos2 = T(1) - 2 * square(z.s), cc = square(z.c);
     const T rest = T(f.p33 - f.m) - B;
     const T half = 0.5 * inverse;
-    out.t = half * (sin2 * rest + 2 * (cos2 * L));
-    out.p = half * (cc * B_p + sin2 * L_p);
-    out.tt = inverse * ((cos2 * rest - 2 * (sin2 * L)) - square(out.t));
-    out.tp = inverse * ((cos2 * L_p - 0.5 * (sin2 * B_p)) - out.t * out.p);
+    out.t = half * (fl(sin2 * rest) + 2 * (cos2 * L));
+    out.p = half * (fl(cc * B_p) + fl(sin2 * L_p));
+    out.tt = inverse * ((fl(cos2 * rest) - 2 * (sin2 * L)) - square(out.t));
+    out.tp = inverse * ((fl(cos2 * L_p) - 0.5 * (sin2 * B_p)) - fl(out.t * out.p));
     out.pp = inverse * (-(2 * (cc * B)) - 0.5 * (sin2 * L) - square(out.p));
     return out;
   }
@@ -149,7 +149,7 @@ class RoundSlopes : public RoundSum {
     const Vec n = c.at(z);
     for (int i = 0; i < norm_count_; ++i) {
       if (!has_norm(i, piece)) continue;
-      const double f = (norms_[std::size_t(i)].m * n).norm();
+      const double f = norm(norms_[std::size_t(i)].m * n);
       h += f;
       if (f > 0) slopes += slopes_of<double>(c.form[std::size_t(i)], z, 1 / f);
     }
@@ -157,8 +157,10 @@ class RoundSlopes : public RoundSum {
   }
 
   static Place<double> turned(const Place<double>& z, double t, double p) {
-    const double ct = std::cos(t), st = std::sin(t), cp = std::cos(p), sp = std::sin(p);
-    return {z.c * ct - z.s * st, z.s * ct + z.c * st, z.x * cp - z.y * sp, z.y * cp + z.x * sp};
+    const auto [st, ct] = rounded_sine_cosine(t);
+    const auto [sp, cp] = rounded_sine_cosine(p);
+    return {fl(z.c * ct) - fl(z.s * st), fl(z.s * ct) + fl(z.c * st), fl(z.x * cp) - fl(z.y * sp),
+            fl(z.y * cp) + fl(z.x * sp)};
   }
 
   // h, with the slopes of the piece that it is there.
@@ -167,7 +169,7 @@ class RoundSlopes : public RoundSum {
     Piece piece = 0;
     for (int i = 0; i < seam_count_; ++i) {
       const Seam& s = seams_[std::size_t(i)];
-      if (i == c.owner || s.a.dot(n) > s.level) piece |= 1u << i;
+      if (i == c.owner || dot(s.a, n) > s.level) piece |= 1u << i;
     }
     return piece_value(c, piece, linear_part(c, piece), z, slopes);
   }
@@ -176,11 +178,11 @@ class RoundSlopes : public RoundSum {
   static constexpr double kSingular = 1e-9;
   // Towards where the slopes vanish, along what bends up. False: nothing does.
   static bool newton_step(const Slopes<double>& g, bool line, double slack, double& dt, double& dp) {
-    const double det = g.tt * g.pp - g.tp * g.tp;
+    const double det = fl(g.tt * g.pp) - fl(g.tp * g.tp);
     const bool t_up = g.tt > slack && !line, p_up = g.pp > slack;
     if (t_up && p_up && det > kSingular * g.tt * g.pp) {
-      dt = (g.tp * g.p - g.pp * g.t) / det;
-      dp = (g.tp * g.t - g.tt * g.p) / det;
+      dt = (fl(g.tp * g.p) - fl(g.pp * g.t)) / det;
+      dp = (fl(g.tp * g.t) - fl(g.tt * g.p)) / det;
     } else if (t_up) {
       dt = -g.t / g.tt;
     } else if (p_up) {

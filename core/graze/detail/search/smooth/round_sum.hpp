@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <graze/detail/numeric/sine_cosine.hpp>
 #include <graze/detail/pairs/cso.hpp>
 #include <graze/detail/search/smooth/inner_ball.hpp>
 
@@ -56,27 +57,27 @@ class RoundSum {
 
   // h(n), and the support point.
   double value(const Vec& n, Vec* support = nullptr, int without = -1) const {
-    double h = center_.dot(n);
+    double h = dot(center_, n);
     Vec w = center_;
     for (int i = 0; i < norm_count_; ++i) {
       const Norm& o = norms_[std::size_t(i)];
       if (o.seam >= 0 || i == without) continue;
       const Vec y = o.m * n;
-      const double f = y.norm();
+      const double f = norm(y);
       h += f;
       if (support && f > 0) w += o.m.transpose() * (y / f);
     }
     for (int i = 0; i < seam_count_; ++i) {
       const Seam& s = seams_[std::size_t(i)];
-      const double u = s.a.dot(n);
+      const double u = dot(s.a, n);
       if (!s.cone) {
-        h += s.half * std::abs(u);
+        h += fl(s.half * std::abs(u));
         if (support) w += (u >= 0 ? s.half : -s.half) * s.a;
         continue;
       }
       const Norm& o = norms_[std::size_t(norm_of(i))];
       const Vec y = o.m * n;
-      const double f = y.norm(), apex = s.half * u, base = f - s.half * u;
+      const double f = norm(y), apex = s.half * u, base = f - fl(s.half * u);
       h += std::max(apex, base);
       if (!support) continue;
       if (apex >= base) {
@@ -93,36 +94,36 @@ class RoundSum {
 
   static Vec rim(const Norm& o, const Vec& n) {
     const Vec y = o.m * n;
-    const double f = y.norm();
+    const double f = norm(y);
     return f > 0 ? Vec(o.m.transpose() * (y / f)) : Vec(Vec::Zero());
   }
   // Is every point of it as far along n, up to the rounding of two axes and of n? For a cone, which has it at its
   // base, it holds if n ends the base.
   [[nodiscard]] bool is_disc_across(const Norm& o, const Vec& n) const {
-    return o.flat && (o.m * n).norm() <= 8 * kU * o.most &&
-           (o.seam < 0 || n.dot(seams_[std::size_t(o.seam)].a) < 0);
+    return o.flat && norm(o.m * n) <= 8 * kU * o.most &&
+           (o.seam < 0 || dot(n, seams_[std::size_t(o.seam)].a) < 0);
   }
   // Points of discs across n that add up to x, which is across n as well. If their sum does not reach as far, the
   // points at its end towards x.
   static std::array<Vec, 2> shares(const std::array<const Norm*, 2>& disc, const Vec& x, const Vec& n) {
     std::array<Vec, 2> end = {Vec(Vec::Zero()), Vec(Vec::Zero())};
-    const double length = x.norm();
+    const double length = norm(x);
     if (disc[0] == nullptr || !(length > 0)) return end;
     // The sum ends along u at end[0] + end[1]. The position of that end changes as u rotates, so halvings find the u
     // whose end is towards x. Circles end along u itself.
-    const Vec e = x / length, f = n.cross(e);
+    const Vec e = x / length, f = cross(n, e);
     Vec from = -f, to = f, u = e;
     constexpr int kMostHalvings = 52;
     for (int i = 0; i < kMostHalvings; ++i) {
       for (std::size_t k = 0; k < 2; ++k) {
         if (disc[k] != nullptr) end[k] = rim(*disc[k], u);
       }
-      const double aside = f.dot(end[0] + end[1]);
-      if (std::abs(aside) <= 4 * kU * (end[0] + end[1]).norm()) break;
+      const double aside = dot(f, end[0] + end[1]);
+      if (std::abs(aside) <= 4 * kU * norm(end[0] + end[1])) break;
       (aside > 0 ? to : from) = u;
       u = unit(Vec(from + to));
     }
-    const double part = std::min(1.0, length / (end[0] + end[1]).norm());
+    const double part = std::min(1.0, length / norm(end[0] + end[1]));
     return {Vec(part * end[0]), Vec(part * end[1])};
   }
 
@@ -145,7 +146,7 @@ class RoundSum {
       const Seam& s = seams_[std::size_t(i)];
       Part& p = part[count++];
       p.side = s.side;
-      const double u = s.a.dot(at.n);
+      const double u = dot(s.a, at.n);
       const bool is_free = i == at.seams[0] || i == at.seams[1] || std::abs(u - s.level) <= 4 * kU;
       const Vec top = s.half * s.a;
       Vec low = -top;
@@ -153,7 +154,7 @@ class RoundSum {
       if (s.cone) {
         const Norm& o = norms_[std::size_t(norm_of(i))];
         if (!is_disc(o)) low += rim(o, at.n);
-        above = top.dot(at.n) >= low.dot(at.n);
+        above = dot(top, at.n) >= dot(low, at.n);
       }
       p.x = above && !is_free ? top : low;
       if (is_free) p.along = top - low;
@@ -166,7 +167,7 @@ class RoundSum {
     }
     Vec rest = center_;
     for (std::size_t i = 0; i < count; ++i) rest += part[i].x;
-    rest -= rest.dot(at.n) * at.n;
+    rest -= dot(rest, at.n) * at.n;
     // The free part takes the sum onto n. Two that meet at an angle go at once if neither ends, others one after the
     // other.
     std::array<double, 10> k{};
@@ -174,7 +175,7 @@ class RoundSum {
     std::array<std::size_t, 10> free{};
     std::size_t free_count = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      across[i] = part[i].along - part[i].along.dot(at.n) * at.n;
+      across[i] = part[i].along - dot(part[i].along, at.n) * at.n;
       if (across[i] != Vec::Zero()) free[free_count++] = i;
     }
     const auto move = [&](std::size_t i, double to) {
@@ -183,9 +184,10 @@ class RoundSum {
     };
     if (free_count == 2) {
       const Vec &e = across[free[0]], &f = across[free[1]];
-      const double ee = e.squaredNorm(), ef = e.dot(f), ff = f.squaredNorm(), det = ee * ff - ef * ef;
-      const double one = (ef * rest.dot(f) - ff * rest.dot(e)) / det,
-                   other = (ef * rest.dot(e) - ee * rest.dot(f)) / det;
+      const double ee = squared_norm(e), ef = dot(e, f), ff = squared_norm(f),
+                   det = fl(ee * ff) - fl(ef * ef);
+      const double one = (fl(ef * dot(rest, f)) - fl(ff * dot(rest, e))) / det,
+                   other = (fl(ef * dot(rest, e)) - fl(ee * dot(rest, f))) / det;
       if (one >= 0 && one <= 1 && other >= 0 && other <= 1) {
         move(free[0], one);
         move(free[1], other);
@@ -198,7 +200,7 @@ class RoundSum {
       for (std::size_t i = 0; i < free_count; ++i) {
         const std::size_t which = free[i];
         const double before = k[which];
-        move(which, std::clamp(before - rest.dot(across[which]) / across[which].squaredNorm(), 0.0, 1.0));
+        move(which, std::clamp(before - dot(rest, across[which]) / squared_norm(across[which]), 0.0, 1.0));
         moved = std::max(moved, std::abs(k[which] - before));
       }
       if (moved <= kStill) break;
@@ -234,7 +236,7 @@ class RoundSum {
       off += sign * x[i] - r * at.n;
     }
     // The sum of the two balls is about `off`.
-    return found - off.norm() - kInnerBallRounding * scale_;
+    return found - norm(off) - fl(kInnerBallRounding * scale_);
   }
 
   Vec center_ = Vec::Zero();
@@ -289,7 +291,7 @@ class RoundSum {
                 m = side.to_world(Vec(0.5 * (side.few[1] + side.few[0])));
       center_ += sign * m;
       middle_[sign > 0 ? 0 : 1] = m;
-      const double length = e.norm();
+      const double length = norm(e);
       if (length > 0) seam(Vec(e / length), length);
       return true;
     }
@@ -316,7 +318,7 @@ class RoundSum {
       s.a = sign * axis(2);
       s.half = h[2];
       s.cone = true;
-      const double slant = std::hypot(h[0], 2 * h[2]);
+      const double slant = hypotenuse(h[0], 2 * h[2]);
       s.level = h[0] / slant;
       s.across = 2 * h[2] / slant;
       s.side = sign;
@@ -324,7 +326,7 @@ class RoundSum {
     }
     if (std::holds_alternative<Ellipsoid<Given>>(shape)) {
       std::array<int, 3> by = {0, 1, 2};
-      std::sort(by.begin(), by.end(), [&](int i, int j) { return h[i] > h[j]; });
+      std::stable_sort(by.begin(), by.end(), [&](int i, int j) { return h[i] > h[j]; });
       if (!(h[by[0]] > 0)) return true;
       if (!(h[by[1]] > 0)) {
         seam(axis(by[0]), h[by[0]]);
