@@ -114,9 +114,13 @@ ExactJudgement judge_exact(const Case& seen, const Method& method, bool ask_orac
   judgement.answer = method.ask(seen, {.request = Request::proof});
   const ExactFinding finding = judge_exact_by_proof(seen, judgement.answer, in_float);
   judgement.fault = finding.fault;
-  // A contact at the end of the path is a tie that few cases have, so the oracle decides each.
-  const bool is_at_the_end = judgement.answer.toi_upper == seen.t_max;
-  if (!judgement.fault.empty() || (finding.settled && !ask_oracle && !is_at_the_end)) return judgement;
+  // Few cases have these ties, so the oracle decides each: a contact at the end of the path, and a tie of round bodies. The
+  // bracket of a graze at a double is that double, and a proof holds for a wider one, too.
+  const Answer& answer = judgement.answer;
+  const bool is_a_round_tie = answer.outcome == Outcome::hit && answer.counters.exact_decisions > 0 &&
+                              answer.proof && answer.proof->of_cores;
+  const bool is_a_tie = answer.toi_upper == seen.t_max || is_a_round_tie;
+  if (!judgement.fault.empty() || (finding.settled && !ask_oracle && !is_a_tie)) return judgement;
   if (!is_exactly_decided(seen) || !has_truth(seen)) return judgement;
   judgement.by_oracle = true;
   judgement.fault = exact_fault_by_truth(truth_of(seen), judgement.answer, in_float);
