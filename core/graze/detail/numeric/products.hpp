@@ -5,7 +5,7 @@
 // left, (x_0 y_0 + x_1 y_1) + x_2 y_2. Sums and quotients of single coefficients stay Eigen's, which rounds each once.
 //
 // The operator * is found before Eigen's in namespace detail, as it takes the type of an expression itself and Eigen's
-// takes its base. A test looks for fused instructions in all of core (tests/bits).
+// takes its base. A test compares the bits of answers (tests/bits).
 #pragma once
 
 #include <Eigen/Core>
@@ -58,7 +58,7 @@ template <FixedExpression V, FixedExpression W>
   static_assert(V::SizeAtCompileTime <= 3);
   return sum;
 }
-// Of matrices, and of a matrix and a vector.
+// The product of two matrices, or of a matrix and a vector.
 template <FixedExpression L, FixedExpression R>
 requires(int(L::ColsAtCompileTime) == int(R::RowsAtCompileTime)) [[nodiscard, gnu::always_inline]] inline auto
 operator*(const L& left, const R& right) {

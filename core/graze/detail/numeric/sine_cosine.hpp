@@ -114,7 +114,7 @@ inline SineCosine<double> rounded_sine_cosine(TwoDoubles x) {
   return after_quarters(quarter, s, c);
 }
 
-// Of any angle up to 2^29.
+// The angle x has any sign, and at most the size above.
 inline SineCosine<double> rounded_sine_cosine(double x) {
   const SineCosine<double> out = rounded_sine_cosine(TwoDoubles{std::abs(x), 0});
   return {std::copysign(1.0, x) * out.sine, out.cosine};
