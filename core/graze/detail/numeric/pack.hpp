@@ -26,8 +26,9 @@ struct Pack {
   using Lane = std::conditional_t<sizeof(S) == 8, std::int64_t, std::int32_t>;
 
 #if defined(__GNUC__)
-  typedef S Type __attribute__((vector_size(16)));     // NOLINT: an alias cannot depend on S with g++ 12
-  typedef Lane Mask __attribute__((vector_size(16)));  // NOLINT
+  // In an alias g++ 12 ignores the attribute of a type that depends on S.
+  typedef S Type __attribute__((vector_size(16)));     // NOLINT(modernize-use-using)
+  typedef Lane Mask __attribute__((vector_size(16)));  // NOLINT(modernize-use-using)
   static Type add(Type a, Type b) { return a + b; }
   static Type mul(Type a, Type b) { return fl<Type>(a * b); }
   // b where a is NaN.

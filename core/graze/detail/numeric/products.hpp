@@ -93,6 +93,8 @@ template <FixedExpression V>
   const auto& x = v.eval();
   return dot(x, x);
 }
+// For assertions: the squared norm of a rounded unit vector is within this of 1.
+inline constexpr double kNearUnit = 1e-3;
 template <FixedExpression V>
 [[nodiscard, gnu::always_inline]] inline typename V::Scalar norm(const V& v) {
   return std::sqrt(squared_norm(v));

@@ -96,7 +96,7 @@ class Cso {
   [[nodiscard]] CsoPoint<S> rounded_support(const Vec3<S>& unit_n) const {
     CsoPoint<S> out = support(unit_n);
     if (radius_ > 0) {
-      GRAZE_ASSERT(unit_n == Vec3<S>::Zero() || !(std::abs(squared_norm(unit_n) - 1) > S(1e-3)));
+      GRAZE_ASSERT(unit_n == Vec3<S>::Zero() || !(std::abs(squared_norm(unit_n) - 1) > S(kNearUnit)));
       out.e = unit_n;
       out.w += radius_ * unit_n;
     }

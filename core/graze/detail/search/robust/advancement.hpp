@@ -15,7 +15,7 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 template <Scalar S>
 bool advance(Sweep<S>& out, const Vec3<S>& r, const Vec3<S>& n, S apart, S s_max) {
   // An axis that separates: no length, or none, would prove a miss.
-  GRAZE_ASSERT(apart > 0 && std::abs(squared_norm(n) - 1) < S(1e-3));
+  GRAZE_ASSERT(apart > 0 && std::abs(squared_norm(n) - 1) < S(kNearUnit));
   const S closing = -dot(n, r);
   const S next = out.lower + apart / closing;
   if (!(closing > 0) || next > s_max) {
