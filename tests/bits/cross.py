@@ -18,6 +18,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path(__file__).resolve().parent
 WORK = ROOT / "build" / "cross"
+os.environ.setdefault("NODE_PATH", "/usr/share/nodejs")  # Debian's modules of emscripten, for a Node from elsewhere
 FUSED = "-march=x86-64-v3 -ffp-contract=fast"
 
 
@@ -49,7 +50,7 @@ TARGETS = {
     "mingw": Target("x86_64-w64-mingw32-g++-posix", "-O2 -Wa,-mbig-obj", "g++-mingw-w64-x86-64-posix wine64 wine",
                     "wine", "Windows", link="-static", suffix=".exe"),
     "wasm": Target("em++", "-O2 -msimd128 -fwasm-exceptions", "emscripten nodejs",
-                   "node --experimental-wasm-eh --stack-size=4000", "Emscripten",
+                   "node --stack-size=4000", "Emscripten",
                    link="-fwasm-exceptions -s ALLOW_MEMORY_GROWTH=1 -s TOTAL_STACK=4MB -s EXIT_RUNTIME=1",
                    suffix=".js"),
 }
@@ -90,8 +91,9 @@ def configure(target, build):
         options |= {"CMAKE_HAVE_LIBC_PTHREAD": "ON", "CMAKE_SYSTEM_PROCESSOR": "wasm32"}
     if eigen():
         options["Eigen3_DIR"] = str(eigen())
-    if pathlib.Path("/usr/src/googletest/CMakeLists.txt").exists() and target.system != "Emscripten":
-        options["GTEST_SOURCES"] = "/usr/src/googletest"
+    googletest = pathlib.Path("/usr/src/googletest/googletest")  # the sources of Debian's libgtest-dev
+    if googletest.exists() and target.system != "Emscripten":
+        options["GTEST_SOURCES"] = str(googletest)
     return ["cmake", "-S", str(HERE / "elsewhere"), "-B", str(build), "-G", "Ninja"] + [
         f"-D{name}={value}" for name, value in options.items()]
 

@@ -16,7 +16,16 @@
 #include <cstddef>
 #include <type_traits>
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__FMA__)
+// g++ and clang, with their vector types and asm. 0: only what the standard has, as for MSVC.
+#ifndef GRAZE_GNU
+#if defined(__GNUC__)
+#define GRAZE_GNU 1
+#else
+#define GRAZE_GNU 0
+#endif
+#endif
+
+#if defined(__x86_64__) && GRAZE_GNU && !defined(__FMA__)
 #define GRAZE_FUSES_IF_THERE 1
 // Marks a function that runs only if fuses() is true. Its callees are inlined into it.
 #define GRAZE_FUSED [[gnu::target("avx"), gnu::flatten, gnu::noinline]]
@@ -40,7 +49,7 @@ template <class T, class U>
 
 // Two doubles side by side, of what is done to two bodies alike: one instruction does for both where there is one (SSE2,
 // which every x86-64 processor has), with the bits of two.
-#if defined(__GNUC__)
+#if GRAZE_GNU
 using TwoLanes = double __attribute__((vector_size(16)));
 #else
 struct TwoLanes {
@@ -63,27 +72,27 @@ struct TwoLanes {
 // fused multiply-adds to use there is nothing to forbid.
 template <class T>
 requires(!std::is_class_v<T> && !std::is_integral_v<T>) [[nodiscard, gnu::always_inline]] inline T fl(T x) {
-#if defined(__GNUC__) && defined(__x86_64__)
-#if defined(__FMA__) || defined(__FMA4__)
+#if GRAZE_GNU && \
+    (defined(__FMA__) || defined(__FMA4__) || defined(__FP_FAST_FMA) || defined(__ARM_FEATURE_FMA))
+#if defined(__x86_64__)
   asm("" : "+x"(x));
-#endif
-#elif defined(__GNUC__) && defined(__aarch64__)
+#elif defined(__aarch64__)
   asm("" : "+w"(x));
-#elif defined(__GNUC__) && (defined(__riscv) || defined(__s390x__))
+#elif defined(__riscv) || defined(__s390x__)
   if constexpr (std::is_arithmetic_v<T>) {
     asm("" : "+f"(x));
   } else {
     asm("" : "+m"(x));
   }
-#elif defined(__GNUC__) && !defined(__wasm__)
+#else
   asm("" : "+m"(x));
+#endif
 #endif
   return x;
 }
-template <class T, class U>
-[[nodiscard, gnu::always_inline]] inline U rounded_product(T a, U b) {
-  return fl<U>(a * b);
-}
+#if !GRAZE_GNU
+[[nodiscard]] inline TwoLanes fl(const TwoLanes& x) { return {fl(x[0]), fl(x[1])}; }
+#endif
 
 // A fused multiply-add that the compiler may not use?
 [[nodiscard]] inline bool fuses() {

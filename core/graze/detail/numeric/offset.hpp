@@ -40,16 +40,16 @@ inline TwoDoublesOfTwo two_sum(TwoLanes a, TwoLanes b) {
 template <bool kFused = false>
 TwoDoubles two_product(double a, double b) {
   // Rounded as it is: fused with a sum that it goes into later it would be another number there than here.
-  const double hi = rounded_product(a, b);
+  const double hi = fl(a * b);
 #if GRAZE_FUSES_IF_THERE
   if constexpr (kFused) return {hi, fused_difference(a, b, hi)};
 #endif
-#if defined(__FMA__) || defined(__FP_FAST_FMA) || defined(__ARM_FEATURE_FMA) || !defined(__x86_64__)
+#if defined(__FMA__) || defined(__FP_FAST_FMA) || defined(__ARM_FEATURE_FMA)
   return {hi, std::fma(a, b, -hi)};
 #else
   // Without the instruction std::fma is a call. The halves have 26 bits, so their products are exact.
   constexpr double kSplit = 0x1p27 + 1;
-  const double p = kSplit * a, q = kSplit * b;
+  const double p = fl(kSplit * a), q = fl(kSplit * b);
   const double a_hi = p - (p - a), a_lo = a - a_hi, b_hi = q - (q - b), b_lo = b - b_hi;
   return {hi, ((fl(a_hi * b_hi) - hi) + fl(a_hi * b_lo) + fl(a_lo * b_hi)) + fl(a_lo * b_lo)};
 #endif
@@ -58,7 +58,7 @@ template <bool kFused = false>
 TwoDoublesOfTwo two_product(TwoLanes a, TwoLanes b) {
 #if GRAZE_FUSES_IF_THERE
   if constexpr (kFused) {
-    const TwoLanes hi = rounded_product(a, b);
+    const TwoLanes hi = fl(a * b);
     return {hi, fused_difference(a, b, hi)};
   }
 #endif
@@ -76,7 +76,7 @@ inline TwoDoubles operator-(TwoDoubles x) { return {-x.hi, -x.lo}; }
 template <bool kFused>
 TwoDoubles multiplied(TwoDoubles x, TwoDoubles y) {
   const TwoDoubles p = two_product<kFused>(x.hi, y.hi);
-  return two_sum(p.hi, p.lo + (rounded_product(x.lo, y.hi) + rounded_product(x.hi, y.lo)));
+  return two_sum(p.hi, p.lo + (fl(x.lo * y.hi) + fl(x.hi * y.lo)));
 }
 template <bool kFused>
 TwoDoubles divided(TwoDoubles x, TwoDoubles y) {
@@ -145,10 +145,9 @@ inline TwoDoubles3 rotate_accurately(const Quaternion<double>& q, const Vec3<dou
 // magnitudes add up to at most |q|^2. The divisor |q|^2 is within 4 u relatively, the quotient rounds once, and no
 // entry exceeds 1.
 inline Mat3<double> rotation_matrix(const Quaternion<double>& q) {
-  const double ww = rounded_product(q.w, q.w), xx = rounded_product(q.x, q.x), yy = rounded_product(q.y, q.y),
-               zz = rounded_product(q.z, q.z), xy = rounded_product(q.x, q.y), xz = rounded_product(q.x, q.z),
-               yz = rounded_product(q.y, q.z), wx = rounded_product(q.w, q.x), wy = rounded_product(q.w, q.y),
-               wz = rounded_product(q.w, q.z);
+  const double ww = fl(q.w * q.w), xx = fl(q.x * q.x), yy = fl(q.y * q.y), zz = fl(q.z * q.z),
+               xy = fl(q.x * q.y), xz = fl(q.x * q.z), yz = fl(q.y * q.z), wx = fl(q.w * q.x),
+               wy = fl(q.w * q.y), wz = fl(q.w * q.z);
   Mat3<double> r;
   r << ww + xx - yy - zz, 2 * (xy - wz), 2 * (xz + wy),  //
       2 * (xy + wz), ww - xx + yy - zz, 2 * (yz - wx),   //

@@ -10,9 +10,10 @@
 #include <graze/detail/numeric/machine.hpp>
 #include <graze/scalar.hpp>
 
-#if defined(__SSE2__)
+#if !GRAZE_GNU
+#elif defined(__SSE2__)
 #include <emmintrin.h>
-#elif defined(__aarch64__) && defined(__GNUC__)
+#elif defined(__aarch64__)
 #include <arm_neon.h>
 #elif defined(__wasm_simd128__)
 #include <wasm_simd128.h>
@@ -25,7 +26,7 @@ struct Pack {
   static constexpr std::size_t kSize = 16 / sizeof(S);
   using Lane = std::conditional_t<sizeof(S) == 8, std::int64_t, std::int32_t>;
 
-#if defined(__GNUC__)
+#if GRAZE_GNU
   // In an alias g++ 12 ignores the attribute of a type that depends on S.
   typedef S Type __attribute__((vector_size(16)));     // NOLINT(modernize-use-using)
   typedef Lane Mask __attribute__((vector_size(16)));  // NOLINT(modernize-use-using)
@@ -82,18 +83,18 @@ struct Pack {
   static void store(S* p, Type v) { std::memcpy(p, &v, sizeof v); }
   // A bit for each lane of a comparison that is true.
   static unsigned bits(Mask mask) {
-#if defined(__SSE2__)
+#if defined(__SSE2__) && GRAZE_GNU
     if constexpr (sizeof(S) == 8)
       return unsigned(_mm_movemask_pd((__m128d)mask));
     else
       return unsigned(_mm_movemask_ps((__m128)mask));
-#elif defined(__wasm_simd128__)
+#elif defined(__wasm_simd128__) && GRAZE_GNU
     if constexpr (sizeof(S) == 8)
       return unsigned(wasm_i64x2_bitmask((v128_t)mask));
     else
       return unsigned(wasm_i32x4_bitmask((v128_t)mask));
 #else
-#if defined(__aarch64__) && defined(__GNUC__)
+#if defined(__aarch64__) && GRAZE_GNU
     if constexpr (sizeof(S) == 4) return vaddvq_u32((uint32x4_t)(mask & Mask{1, 2, 4, 8}));
 #endif
     unsigned out = 0;

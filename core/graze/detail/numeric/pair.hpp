@@ -67,7 +67,7 @@ PairOf<kFused, T> operator-(const PairOf<kFused, T>& x, const PairOf<kFused, T>&
 template <bool kFused, class T>
 PairOf<kFused, T> operator*(const PairOf<kFused, T>& x, const PairOf<kFused, T>& y) {
   const PairOf<kFused, T> p = product<kFused>(x.hi, y.hi);
-  return {p.hi, p.lo + (rounded_product(x.hi, y.lo) + rounded_product(x.lo, y.hi))};
+  return {p.hi, p.lo + (fl(x.hi * y.lo) + fl(x.lo * y.hi))};
 }
 template <bool kFused>
 [[nodiscard]] double rounded(const PairOf<kFused>& x) {

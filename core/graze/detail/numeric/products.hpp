@@ -31,10 +31,10 @@ template <FixedExpression V, FactorOf<V> T>
   const S s = static_cast<S>(factor);
   const auto& v = given.eval();
   if constexpr (V::SizeAtCompileTime == 3) {
-    return {rounded_product(s, v[0]), rounded_product(s, v[1]), rounded_product(s, v[2])};
+    return {fl(s * v[0]), fl(s * v[1]), fl(s * v[2])};
   } else {
     typename V::PlainObject out;
-    for (Eigen::Index i = 0; i < V::SizeAtCompileTime; ++i) out(i) = rounded_product(s, v(i));
+    for (Eigen::Index i = 0; i < V::SizeAtCompileTime; ++i) out(i) = fl(s * v(i));
     return out;
   }
 }
@@ -52,9 +52,9 @@ template <FixedExpression V, FixedExpression W>
   static_assert(int(V::SizeAtCompileTime) == int(W::SizeAtCompileTime));
   const auto& x = v.eval();
   const auto& y = w.eval();
-  typename V::Scalar sum = rounded_product(x[0], y[0]);
-  if constexpr (V::SizeAtCompileTime > 1) sum += rounded_product(x[1], y[1]);
-  if constexpr (V::SizeAtCompileTime > 2) sum += rounded_product(x[2], y[2]);
+  typename V::Scalar sum = fl(x[0] * y[0]);
+  if constexpr (V::SizeAtCompileTime > 1) sum += fl(x[1] * y[1]);
+  if constexpr (V::SizeAtCompileTime > 2) sum += fl(x[2] * y[2]);
   static_assert(V::SizeAtCompileTime <= 3);
   return sum;
 }
@@ -67,8 +67,8 @@ operator*(const L& left, const R& right) {
   const auto& r = right.eval();
   for (Eigen::Index j = 0; j < out.cols(); ++j) {
     for (Eigen::Index i = 0; i < out.rows(); ++i) {
-      typename L::Scalar sum = rounded_product(l(i, 0), r(0, j));
-      for (Eigen::Index k = 1; k < l.cols(); ++k) sum += rounded_product(l(i, k), r(k, j));
+      typename L::Scalar sum = fl(l(i, 0) * r(0, j));
+      for (Eigen::Index k = 1; k < l.cols(); ++k) sum += fl(l(i, k) * r(k, j));
       out(i, j) = sum;
     }
   }
@@ -78,14 +78,13 @@ template <FixedExpression V, FixedExpression W>
 [[nodiscard, gnu::always_inline]] inline typename V::PlainObject cross(const V& v, const W& w) {
   const auto& x = v.eval();
   const auto& y = w.eval();
-  return {rounded_product(x[1], y[2]) - rounded_product(x[2], y[1]),
-          rounded_product(x[2], y[0]) - rounded_product(x[0], y[2]),
-          rounded_product(x[0], y[1]) - rounded_product(x[1], y[0])};
+  return {fl(x[1] * y[2]) - fl(x[2] * y[1]), fl(x[2] * y[0]) - fl(x[0] * y[2]),
+          fl(x[0] * y[1]) - fl(x[1] * y[0])};
 }
 // The product of each coordinate with its own.
 template <FixedExpression V, FixedExpression W>
 [[nodiscard, gnu::always_inline]] inline typename V::PlainObject scaled_by_axis(const V& v, const W& w) {
-  return {rounded_product(v[0], w[0]), rounded_product(v[1], w[1]), rounded_product(v[2], w[2])};
+  return {fl(v[0] * w[0]), fl(v[1] * w[1]), fl(v[2] * w[2])};
 }
 
 template <FixedExpression V>

@@ -126,7 +126,7 @@ inline double hypotenuse(double x, double y) {
   if (!(most > 0 && most < kInfinity<double>)) return most;
   const int k = exponent_of(most);
   const double down = power_of_two(-k), a = x * down, b = y * down;
-  return std::sqrt(rounded_product(a, a) + rounded_product(b, b)) * power_of_two(k);
+  return std::sqrt(fl(a * a) + fl(b * b)) * power_of_two(k);
 }
 
 }}}  // namespace graze::GRAZE_LINKAGE::detail

@@ -17,24 +17,18 @@ struct Triple {
   friend Triple operator-(const Triple& a, const Triple& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend Triple operator+(const Triple& a, const Triple& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend Triple operator-(const Triple& a) { return {-a.x, -a.y, -a.z}; }
-  friend Triple operator*(double s, const Triple& a) {
-    return {rounded_product(s, a.x), rounded_product(s, a.y), rounded_product(s, a.z)};
-  }
+  friend Triple operator*(double s, const Triple& a) { return {fl(s * a.x), fl(s * a.y), fl(s * a.z)}; }
 };
 template <Scalar S>
 Triple triple(const Vec3<S>& v) {
   return {double(v[0]), double(v[1]), double(v[2])};
 }
-inline double dot(const Triple& a, const Triple& b) {
-  return rounded_product(a.x, b.x) + rounded_product(a.y, b.y) + rounded_product(a.z, b.z);
-}
+inline double dot(const Triple& a, const Triple& b) { return fl(a.x * b.x) + fl(a.y * b.y) + fl(a.z * b.z); }
 inline Triple cross(const Triple& a, const Triple& b) {
-  return {rounded_product(a.y, b.z) - rounded_product(a.z, b.y),
-          rounded_product(a.z, b.x) - rounded_product(a.x, b.z),
-          rounded_product(a.x, b.y) - rounded_product(a.y, b.x)};
+  return {fl(a.y * b.z) - fl(a.z * b.y), fl(a.z * b.x) - fl(a.x * b.z), fl(a.x * b.y) - fl(a.y * b.x)};
 }
 inline Triple scaled_by_axis(const Triple& a, const Triple& b) {
-  return {rounded_product(a.x, b.x), rounded_product(a.y, b.y), rounded_product(a.z, b.z)};
+  return {fl(a.x * b.x), fl(a.y * b.y), fl(a.z * b.z)};
 }
 inline Triple magnitude(const Triple& a) { return {std::abs(a.x), std::abs(a.y), std::abs(a.z)}; }
 inline double sum(const Triple& a) { return a.x + a.y + a.z; }

@@ -51,7 +51,7 @@ struct Fine {
       const Pair more = weighted ? part.x[i] * weight : part.x[i];
       x[i] = own + (negative ? -more : more);
     }
-    size = rounded_product(size, part.weight.hi) + rounded_product(part.size, weight.hi);
+    size = fl(size * part.weight.hi) + fl(part.size * weight.hi);
     if (part.weighted) weight = weighted ? weight * part.weight : part.weight;
     weighted = true;
   }

@@ -27,7 +27,7 @@ class PairSupport {
         counters_(counters),
         noise_(kContact * double(kUnitRoundoff<S>) * pair.size()),
         margin_(4 * (pair.a().error() + pair.b().error()) + pair.offset_error() +
-                rounded_product(40 * kUnitRoundoff<double>, pair.extent())),
+                fl(40 * kUnitRoundoff<double> * pair.extent())),
         guess_(pair.a().support_error() + pair.b().support_error()) {}
 
   // Far along n, whose largest component is between 2^-80 and 2^80: within support_error() of the farthest, over |n|.
@@ -52,9 +52,9 @@ class PairSupport {
   }
   // Is h(n) < `level` beyond rounding? At 0 the bodies are apart. w: a vertex far along n, which may come out farther.
   [[nodiscard]] bool separates(const Triple& n, PairVertex& w, double level = 0) {
-    const double size = sum(magnitude(n)), bound = level - rounded_product(margin_, size);
+    const double size = sum(magnitude(n)), bound = level - fl(margin_ * size);
     if (!(dot(n, w.w) < bound)) return false;
-    if (dot(n, w.w) < bound - rounded_product(guess_, size)) return true;
+    if (dot(n, w.w) < bound - fl(guess_ * size)) return true;
     sure(n, w);
     return dot(n, w.w) < bound;
   }
@@ -62,7 +62,7 @@ class PairSupport {
   // Not at the lesser of 0 and `level`, if this is false. Both are compared, without a branch.
   [[nodiscard, gnu::always_inline]] bool may_separate(const Triple& n, const PairVertex& w,
                                                       double level) const {
-    const double reach = dot(n, w.w), slack = rounded_product(margin_, sum(magnitude(n)));
+    const double reach = dot(n, w.w), slack = fl(margin_ * sum(magnitude(n)));
     return bool(unsigned(reach < -slack) & unsigned(reach < level - slack));
   }
 

@@ -97,18 +97,18 @@ class PreparedCore {
   [[nodiscard]] const Triple& center() const { return center_; }  // caller's unit, own axes
   // Rounding of a vertex in world axes about the centre, per component.
   [[nodiscard]] double error() const {
-    return (turned_ ? rounded_product(kCoreRotation * kUnitRoundoff<double>, reach_) : 0.0) + point_error_;
+    return (turned_ ? fl(kCoreRotation * kUnitRoundoff<double> * reach_) : 0.0) + point_error_;
   }
   // Error bound, over |n|, on the vertex that support() finds: how far it may lie below the farthest. A guess
   // compares sums of floats. Coordinates and direction round by u each, products by 3 u (u of float). This gives 5 u
   // of |d|_1 reach <= sqrt(3) |n| reach for each of two vertices. In addition n was rotated.
   [[nodiscard]] double support_error() const {
     constexpr double u = kUnitRoundoff<double>, u_float = kUnitRoundoff<float>;
-    const double turn = turned_ ? rounded_product(2 * kCoreRotation * u, reach_) : 0.0;
+    const double turn = turned_ ? fl(2 * kCoreRotation * u * reach_) : 0.0;
     switch (kind_) {
       case Kind::hull:
       case Kind::mapped:
-        return turn + rounded_product(20.0 * u_float, reach_);
+        return turn + fl(20.0 * u_float * reach_);
       case Kind::side:
         return turn + side_->support_error;
       default:
@@ -119,9 +119,9 @@ class PreparedCore {
   [[nodiscard, gnu::always_inline]] Triple to_own(const Triple& n) const {
     double x = n.x, y = n.y, z = n.z;
     if (turned_) {
-      x = rounded_product(n.x, row_[0].x) + rounded_product(n.y, row_[1].x) + rounded_product(n.z, row_[2].x);
-      y = rounded_product(n.x, row_[0].y) + rounded_product(n.y, row_[1].y) + rounded_product(n.z, row_[2].y);
-      z = rounded_product(n.x, row_[0].z) + rounded_product(n.y, row_[1].z) + rounded_product(n.z, row_[2].z);
+      x = fl(n.x * row_[0].x) + fl(n.y * row_[1].x) + fl(n.z * row_[2].x);
+      y = fl(n.x * row_[0].y) + fl(n.y * row_[1].y) + fl(n.z * row_[2].y);
+      z = fl(n.x * row_[0].z) + fl(n.y * row_[1].z) + fl(n.z * row_[2].z);
     }
     return {x, y, z};
   }
@@ -314,10 +314,9 @@ class PreparedCore {
   void set_rotation() {
     const double w = body_.orientation.w, x = body_.orientation.x, y = body_.orientation.y,
                  z = body_.orientation.z;
-    const double ww = rounded_product(w, w), xx = rounded_product(x, x), yy = rounded_product(y, y),
-                 zz = rounded_product(z, z), xy = rounded_product(x, y), xz = rounded_product(x, z),
-                 yz = rounded_product(y, z), wx = rounded_product(w, x), wy = rounded_product(w, y),
-                 wz = rounded_product(w, z), s = 1 / (ww + xx + yy + zz);
+    const double ww = fl(w * w), xx = fl(x * x), yy = fl(y * y), zz = fl(z * z), xy = fl(x * y),
+                 xz = fl(x * z), yz = fl(y * z), wx = fl(w * x), wy = fl(w * y), wz = fl(w * z),
+                 s = 1 / (ww + xx + yy + zz);
     row_[0] = {s * (ww + xx - yy - zz), s * 2 * (xy - wz), s * 2 * (xz + wy)};
     row_[1] = {s * 2 * (xy + wz), s * (ww - xx + yy - zz), s * 2 * (yz - wx)};
     row_[2] = {s * 2 * (xz - wy), s * 2 * (yz + wx), s * (ww - xx - yy + zz)};
@@ -407,7 +406,7 @@ class PreparedPair {
     offset_error_ = 2 * kUnitRoundoff<double> * largest(offset_) + fl(0x1p-95 * power_of_two(-k_) * turned);
     a_.prepare(k_);
     b_.prepare(k_);
-    extent_ = a_.reach() + b_.reach() + rounded_product(std::sqrt(dot(offset_, offset_)), 1 + 0x1p-50);
+    extent_ = a_.reach() + b_.reach() + fl(std::sqrt(dot(offset_, offset_)) * (1 + 0x1p-50));
     const Triple v = triple(b.displacement) - triple(a.displacement);
     const double speed = largest(v);
     j_ = speed > 0 ? exponent_of(speed) : 0;

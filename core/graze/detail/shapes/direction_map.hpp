@@ -146,7 +146,7 @@ inline bool DirectionMap::find(float x, float y, float z, List& out) const {
                  axis = second + 2 * last;
   const float scaled = inner_ * reciprocal(most);
   const auto at = [&](float t) {
-    return static_cast<std::uint32_t>(static_cast<std::int32_t>(rounded_product(t, scaled) + half_));
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(fl(t * scaled) + half_));
   };
   const std::uint32_t face = 2 * axis + (detail::bit_cast<std::uint32_t>(d[axis]) >> 31);
   const Slot& slot = slots_[(face * k_ + at(d[axis + 1])) * k_ + at(d[axis + 2])];

@@ -26,7 +26,7 @@ std::uint32_t box_support(const Vec3<S>& d) {
 // d.x, its products rounded (machine.hpp).
 template <Scalar S>
 [[nodiscard, gnu::always_inline]] inline S height_along(const Vec3<S>& d, S x, S y, S z) {
-  return rounded_product(x, d[0]) + rounded_product(y, d[1]) + rounded_product(z, d[2]);
+  return fl(x * d[0]) + fl(y * d[1]) + fl(z * d[2]);
 }
 
 // R x and R^T n, likewise.

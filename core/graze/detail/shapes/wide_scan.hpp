@@ -8,9 +8,10 @@
 
 #include <bit>
 #include <cstdint>
+#include <graze/detail/numeric/machine.hpp>
 #include <graze/scalar.hpp>
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__x86_64__) && GRAZE_GNU
 #include <immintrin.h>
 #define GRAZE_WIDE 1
 #else

@@ -30,14 +30,14 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace 
 template <bool kFused, class T>
 PairOf<kFused, T> times(const PairOf<kFused, T>& x, T s) {
   const PairOf<kFused, T> p = product<kFused>(x.hi, s);
-  return {p.hi, p.lo + rounded_product(x.lo, s)};
+  return {p.hi, p.lo + fl(x.lo * s)};
 }
 // x / w, w > 0, within 2^-97 of x's size over w. Its first guess, with the reciprocal rounded, is within 2^-48.
 template <bool kFused, class T>
 PairOf<kFused, T> over(const PairOf<kFused, T>& x, const PairOf<kFused, T>& w, T reciprocal) {
   const T q = x.hi * reciprocal;
   const PairOf<kFused, T> p = product<kFused>(q, w.hi);
-  return {q, (((x.hi - p.hi) - p.lo) + (x.lo - rounded_product(q, w.lo))) * reciprocal};
+  return {q, (((x.hi - p.hi) - p.lo) + (x.lo - fl(q * w.lo))) * reciprocal};
 }
 // A vector of either body, side by side.
 struct Both {
@@ -46,16 +46,12 @@ struct Both {
   [[nodiscard]] Triple of(std::size_t body) const { return {x[body], y[body], z[body]}; }
   friend Both operator+(const Both& p, const Both& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
   friend Both operator-(const Both& p, const Both& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
-  friend Both operator*(double s, const Both& p) {
-    return {rounded_product(s, p.x), rounded_product(s, p.y), rounded_product(s, p.z)};
-  }
+  friend Both operator*(double s, const Both& p) { return {fl(s * p.x), fl(s * p.y), fl(s * p.z)}; }
 };
 inline Both both(const Triple& a, const Triple& b) {
   return {TwoLanes{a.x, b.x}, TwoLanes{a.y, b.y}, TwoLanes{a.z, b.z}};
 }
-inline TwoLanes dot(const Both& p, const Both& q) {
-  return rounded_product(p.x, q.x) + rounded_product(p.y, q.y) + rounded_product(p.z, q.z);
-}
+inline TwoLanes dot(const Both& p, const Both& q) { return fl(p.x * q.x) + fl(p.y * q.y) + fl(p.z * q.z); }
 // The same in pairs: of one body.
 template <bool kFused>
 Pair3Of<kFused> of_one(const Pair3Of<kFused, TwoLanes>& x, std::size_t lane) {

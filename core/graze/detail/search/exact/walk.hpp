@@ -91,7 +91,7 @@ struct Bounds {
     const double reach = pair.a().reach() + pair.b().reach(), extent = pair.extent();
     body = pair.a().error() + pair.b().error();
     const double place = body + pair.offset_error() + 2 * kU * extent;  // of w
-    edge = 2 * body + rounded_product(20 * kU, reach) + kUnderflow;
+    edge = 2 * body + fl(20 * kU * reach) + kUnderflow;
     seen = 2 * place + 8 * kU * extent + kUnderflow;
     far = seen + 2 * (pair.a().support_error() + pair.b().support_error()) + 16 * kU * reach;
   }
@@ -107,11 +107,9 @@ struct Measured {
 // d - c is 2.5 of that (twice, and u of its length, below 2.9 extent). The error of x is 9 of it (6, and 12 u of a
 // length below twice the extent each). The product adds 3 u, |x| below 12 extent: 5 of it, over d - c.
 inline Measured side_of_middle(const Corner& c, const Corner& d, double sum_x, double sum_y, double seen) {
-  const double ex = d.qx - c.qx, ey = d.qy - c.qy, x = sum_x - rounded_product(3.0, c.qx),
-               y = sum_y - rounded_product(3.0, c.qy);
-  return {rounded_product(ex, y) - rounded_product(ey, x), fl(15 * seen * (std::abs(ex) + std::abs(ey))) +
-                                                               fl(3 * seen * (std::abs(x) + std::abs(y))) +
-                                                               fl(50 * seen * seen)};
+  const double ex = d.qx - c.qx, ey = d.qy - c.qy, x = sum_x - fl(3.0 * c.qx), y = sum_y - fl(3.0 * c.qy);
+  return {fl(ex * y) - fl(ey * x), fl(15 * seen * (std::abs(ex) + std::abs(ey))) +
+                                       fl(3 * seen * (std::abs(x) + std::abs(y))) + fl(50 * seen * seen)};
 }
 
 // Vertices of C that a walk may begin with.
@@ -230,9 +228,8 @@ class PortalWalk {
   bool support_across(double nx, double ny, Corner& out) {
     // Perpendicular to v up to its rounding.
     support(nx * line_.across_x + ny * line_.across_y, out);
-    const double height = rounded_product(nx, out.qx) + rounded_product(ny, out.qy);
-    if (!(height < -(rounded_product(bounds_.far, 2 * (std::abs(nx) + std::abs(ny))) + kUnderflow)))
-      return true;
+    const double height = fl(nx * out.qx) + fl(ny * out.qy);
+    if (!(height < -(fl(bounds_.far * 2 * (std::abs(nx) + std::abs(ny))) + kUnderflow))) return true;
     Vec3<double> x = Vec3<double>::Zero();
     x[line_.x] = ny;
     x[line_.y] = -nx;
@@ -251,7 +248,7 @@ class PortalWalk {
   }
   // The sign of v_z (u_x w_y - u_y w_x), each within e. Returns 0 if the value is within its error bound.
   [[nodiscard]] int sign_in_doubles(double ux, double uy, double wx, double wy, double e) const {
-    const double value = rounded_product(ux, wy) - rounded_product(uy, wx);
+    const double value = fl(ux * wy) - fl(uy * wx);
     const double error =
         fl(2 * e * (std::abs(ux) + std::abs(uy) + std::abs(wx) + std::abs(wy))) + fl(4 * e * e);
     return value > error ? line_.sign : value < -error ? -line_.sign : 0;
@@ -324,7 +321,7 @@ class PortalWalk {
       ey = second.qy - first.qy;
     }
     // Towards the side of o.
-    const bool left = rounded_product(first.qx, second.qy) >= rounded_product(first.qy, second.qx);
+    const bool left = fl(first.qx * second.qy) >= fl(first.qy * second.qx);
     return support_across(left ? -ey : ey, left ? ex : -ex, third);
   }
 
@@ -485,8 +482,8 @@ class PortalWalk {
     if (!is_corner(w.id)) {
       const Triple g = edge(c0, w);
       const double g_1 = sum(magnitude(g));
-      const double area = rounded_product(e_1, f_1) + rounded_product(e_1 + f_1, g_1);
-      const double error = rounded_product(1.1 * bounds_.edge, area) + kUnderflow;
+      const double area = fl(e_1 * f_1) + fl((e_1 + f_1) * g_1);
+      const double error = fl(1.1 * bounds_.edge * area) + kUnderflow;
       if (dot(n, g) > error) return true;
     }
     return surely_above(n, e, f, w);

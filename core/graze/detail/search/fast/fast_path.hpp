@@ -28,11 +28,9 @@ struct FastSweep {
 template <class Pair>
 [[nodiscard]] Triple fast_first_direction(const Pair& pair) {
   const Triple& r = pair.direction();
-  const double r_sq = dot(r, r),
-               ball = rounded_product(kFastBall, pair.a().reach() + pair.b().reach()) + pair.radius();
+  const double r_sq = dot(r, r), ball = fl(kFastBall * (pair.a().reach() + pair.b().reach())) + pair.radius();
   const Triple c = -pair.offset(), beside = r_sq * c - dot(c, r) * r;
-  const double radius = ball * r_sq,
-               room = std::max(rounded_product(radius, radius) - dot(beside, beside), 0.0);
+  const double radius = ball * r_sq, room = std::max(fl(radius * radius) - dot(beside, beside), 0.0);
   return -(radius * beside + room * r);
 }
 

@@ -258,11 +258,24 @@ S outside(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, S noise) {
   return inside ? S(0) : nearest;
 }
 
+// A corner of the portal on the line, and the side of it on which the line passes: see replace_corner().
+template <Scalar S>
+struct PassedCorner {
+  Vec3<S> q = Vec3<S>::Constant(kInfinity<S>);
+  Vec3<S> towards = Vec3<S>::Zero();  // across the line
+};
+
 // The portal with w as a corner: of the three triangles that w makes with the portal's edges, the one that
 // holds the origin. If rounding finds it in two or three of them (on a common side, as is usual on lattices) the
 // largest is taken, since the others may have no area. `noise` bounds the rounding error of a projected coordinate.
+//
+// If the line passes a corner within rounding, 2 `noise`, both triangles with that corner hold it. The largest would not do here:
+// where the corner lies beneath a curved surface, the other two corners orbit around it. So the line counts as moved off
+// that corner by an infinitesimal length in a direction between the other two (a symbolic perturbation: Edelsbrunner and
+// Muecke 1990). Only one of the two triangles holds that line, and its height there decreases in every step. `passed`
+// keeps the direction for as long as the corner stays.
 template <Scalar S>
-void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
+void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise, PassedCorner<S>& passed) {
   GRAZE_ASSERT(portal.size == 3);
   auto& p = portal.p;
   std::array<S, 3> off, area;
@@ -275,6 +288,24 @@ void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
   std::size_t out = 3;
   for (std::size_t i = 0; i < 3; ++i) {
     if (off[i] <= least + noise / 2 && (out == 3 || area[i] > area[out])) out = i;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3<S> at = p[i].q;
+    if (!(length_across(at[0], at[1]) <= 2 * noise)) continue;
+    const std::size_t right = (i + 1) % 3, left = (i + 2) % 3;
+    if (off[i] == 0) {
+      out = i;
+      break;
+    }
+    if (passed.q != at) {
+      const Vec3<S> to_right = p[right].q - at, to_left = p[left].q - at;
+      const S r = length_across(to_right[0], to_right[1]), l = length_across(to_left[0], to_left[1]);
+      if (!(r > 0 && l > 0)) break;
+      passed = {at, to_right / r + to_left / l};
+    }
+    const std::size_t moved = cross2(passed.towards, Vec3<S>(w.q - at)) > 0 ? left : right;
+    if (has_area(p[i], p[moved == left ? right : left], w, noise)) out = moved;
+    break;
   }
   if (out < 3) p[out] = w;
 }
@@ -423,6 +454,7 @@ void refine_portal(const PortalView<S>& view, PortalSearch<S>& search, const Por
   auto& p = search.portal.p;
   int& size = search.portal.size;
   const S noise = view.noise();
+  PassedCorner<S> passed;
   GRAZE_ASSERT(search.state == State::entered && size >= 1 && size <= 3);
   search.state = State::exhausted;
   while (true) {
@@ -486,7 +518,7 @@ void refine_portal(const PortalView<S>& view, PortalSearch<S>& search, const Por
         flatten(search.portal, 2 * noise, true);
       }
     } else {
-      replace_corner(search.portal, w, noise);
+      replace_corner(search.portal, w, noise, passed);
     }
   }
 }
