@@ -1,7 +1,9 @@
 // Hashes of answers (FNV-1a), with all that is in them: outcome, numbers by their bits, proof, counters.
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <graze/distance.hpp>
 #include <graze/line.hpp>
 #include <graze/overlap.hpp>
@@ -23,7 +25,11 @@ class Hash {
   template <class T>
   requires(std::is_integral_v<T> || std::is_enum_v<T>) void add(T x) { word(static_cast<std::uint64_t>(x)); }
   // A NaN has many bits.
-  void add(double x) { word(x == x ? std::bit_cast<std::uint64_t>(x) : ~std::uint64_t{0}); }
+  void add(double x) {
+    std::uint64_t bits = ~std::uint64_t{0};
+    if (x == x) std::memcpy(&bits, &x, sizeof bits);  // std::bit_cast is not everywhere
+    word(bits);
+  }
   void add(float x) { add(static_cast<double>(x)); }
   template <Scalar S>
   void add(const Vec3<S>& x) {

@@ -12,6 +12,14 @@ template <class Number>
 struct SineCosine {
   Number sine, cosine;
 };
+// Takes the nearest multiple of pi/2 from x, and returns how many they are.
+inline std::int64_t remove_quarters(TwoDoubles& x) {
+  const double quarters = std::nearbyint(x.hi * 0x1.45f306dc9c883p-1);
+  for (const double part : {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54, -0x1.f1976b7ed8fbcp-110}) {
+    x = x + -two_product(quarters, part);
+  }
+  return static_cast<std::int64_t>(quarters);
+}
 // The sine and cosine of the angle with that sine and cosine plus the given number of quarter turns.
 template <class Number>
 SineCosine<Number> after_quarters(std::int64_t quarters, const Number& s, const Number& c) {
@@ -70,10 +78,7 @@ double horner(double z, const double (&c)[N]) {
 // x >= 0, at most kMostTurn / 2.
 inline SineCosine<TwoDoubles> sine_cosine(TwoDoubles x) {
   using series::of;
-  const double quarters = std::nearbyint(x.hi * 0x1.45f306dc9c883p-1);
-  for (const double part : {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54, -0x1.f1976b7ed8fbcp-110}) {
-    x = x + -two_product(quarters, part);
-  }
+  const std::int64_t quarters = remove_quarters(x);
   const TwoDoubles eighth{x.hi / 8, x.lo / 8}, q = eighth * eighth;
   TwoDoubles s = series::sine(eighth, q), less = series::cosine_less_one(q);
   for (int doubling = 0; doubling < 3; ++doubling) {
@@ -82,7 +87,7 @@ inline SineCosine<TwoDoubles> sine_cosine(TwoDoubles x) {
     s = {2 * twice.hi, 2 * twice.lo};
     less = {-2 * square.hi, -2 * square.lo};
   }
-  return after_quarters(static_cast<std::int64_t>(quarters), s, of(1) + less);
+  return after_quarters(quarters, s, of(1) + less);
 }
 
 // Rounded: each within u. x as above, but of twice the size.
@@ -96,14 +101,7 @@ inline SineCosine<TwoDoubles> sine_cosine(TwoDoubles x) {
 // Cosine: z/2 is within u/4. The rounding of 1 - z/2 is corrected exactly. z^2 C(z) is at most 0.016, within 0.1 u,
 // and the last sum adds u/2 again.
 inline SineCosine<double> rounded_sine_cosine(TwoDoubles x) {
-  std::int64_t quarter = 0;
-  if (x.hi > 0.785) {
-    const double quarters = std::nearbyint(x.hi * 0x1.45f306dc9c883p-1);
-    for (const double part : {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54, -0x1.f1976b7ed8fbcp-110}) {
-      x = x + -two_product(quarters, part);
-    }
-    quarter = static_cast<std::int64_t>(quarters);
-  }
+  const std::int64_t quarters = x.hi > 0.785 ? remove_quarters(x) : 0;
   const double r = x.hi, e = x.lo, z = r * r;
   const double of_sine = series::horner(z, {-1 / 6., 1 / 120., -1 / 5040., 1 / 362880., -1 / 39916800.,
                                             1 / 6227020800., -1 / 1307674368000., 1 / 355687428096000.});
@@ -111,7 +109,7 @@ inline SineCosine<double> rounded_sine_cosine(TwoDoubles x) {
                                               -1 / 87178291200., 1 / 20922789888000.});
   const double s = r + (fl(r * z * of_sine) + fl(e * (1 - z / 2)));
   const double w = 1 - z / 2, c = w + (((1 - w) - z / 2) + (fl(z * z * of_cosine) - fl(r * e)));
-  return after_quarters(quarter, s, c);
+  return after_quarters(quarters, s, c);
 }
 
 // The angle x has any sign, and at most the size above.

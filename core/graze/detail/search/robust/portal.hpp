@@ -269,11 +269,11 @@ struct PassedCorner {
 // holds the origin. If rounding finds it in two or three of them (on a common side, as is usual on lattices) the
 // largest is taken, since the others may have no area. `noise` bounds the rounding error of a projected coordinate.
 //
-// If the line passes a corner within rounding, 2 `noise`, both triangles with that corner hold it. The largest would not do here:
-// where the corner lies beneath a curved surface, the other two corners orbit around it. So the line counts as moved off
-// that corner by an infinitesimal length in a direction between the other two (a symbolic perturbation: Edelsbrunner and
-// Muecke 1990). Only one of the two triangles holds that line, and its height there decreases in every step. `passed`
-// keeps the direction for as long as the corner stays.
+// If the line passes a corner within rounding, 2 `noise`, both triangles with that corner hold it. The largest would
+// not do here: where the corner lies beneath a curved surface, the other two corners orbit around it. So the line counts
+// as moved off that corner by an infinitesimal length in a direction between the other two (a symbolic perturbation:
+// Edelsbrunner and Muecke 1990). Only one of the two triangles holds that line, and its height there decreases in every
+// step. `passed` keeps the direction for as long as the corner stays.
 template <Scalar S>
 void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise, PassedCorner<S>& passed) {
   GRAZE_ASSERT(portal.size == 3);
