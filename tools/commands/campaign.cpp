@@ -44,8 +44,8 @@ constexpr std::uint64_t kRotatingOracleEvery = 64;
 // --work: the families with the questions of an ordinary simulation. For N casts of each family, there are
 // kWorkloadCasts N casts of the workloads, and N / kWorkQueries of each query.
 constexpr std::string_view kWorkFamilies[] = {
-    "at_rest",       "coaxial",     "equal_distances", "parallel_caps",       "rods_and_round",
-    "smooth_depths", "level_tiles", "wheels",          "flat_plates_turning", "above_a_floor"};
+    "at_rest",     "coaxial", "equal_distances",     "parallel_caps", "rods_and_round", "smooth_depths",
+    "level_tiles", "wheels",  "flat_plates_turning", "above_a_floor", "apexes"};
 constexpr std::uint64_t kWorkloadCasts = 10, kWorkQueries = 100;
 
 struct CampaignArguments {
