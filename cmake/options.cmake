@@ -60,26 +60,30 @@ add_library(graze_own INTERFACE)
 target_compile_features(graze_own INTERFACE cxx_std_20)
 # Our results must not depend on whether a multiply-add was fused; users of core may do as they like, and so do the targets
 # with the property GRAZE_CONTRACTED (their own flags come before these, so none of theirs could take this one back).
-target_compile_options(graze_own INTERFACE "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:GRAZE_CONTRACTED>>>:${GRAZE_UNFUSED}>"
-                                           -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion)
-# Where several sources are compiled at once, a file's local names hide another file's, and are none of a header's.
-set(united $<AND:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,$<CXX_COMPILER_ID:GNU>>)
-target_compile_options(graze_own INTERFACE $<IF:${united},-Wshadow=local;-Wno-subobject-linkage,-Wshadow>)
+target_compile_options(graze_own INTERFACE "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:GRAZE_CONTRACTED>>>:${GRAZE_UNFUSED}>")
 target_include_directories(graze_own INTERFACE ${PROJECT_SOURCE_DIR})
-# Where assertions are on, what we install holds names of files: as the sources name them, not where they were built.
-target_compile_options(graze_own INTERFACE -ffile-prefix-map=${PROJECT_SOURCE_DIR}/=)
+if(MSVC)
+  target_compile_options(graze_own INTERFACE /W4 /wd4068 /wd5030)  # no warnings about other compilers' pragmas and attributes
+else()
+  target_compile_options(graze_own INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion)
+  # Where several sources are compiled at once, a file's local names hide another file's, and are none of a header's.
+  set(united $<AND:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,$<CXX_COMPILER_ID:GNU>>)
+  target_compile_options(graze_own INTERFACE $<IF:${united},-Wshadow=local;-Wno-subobject-linkage,-Wshadow>)
+  # Where assertions are on, what we install holds names of files: as the sources name them, not where they were built.
+  target_compile_options(graze_own INTERFACE -ffile-prefix-map=${PROJECT_SOURCE_DIR}/=)
+  if(GRAZE_WERROR)
+    target_compile_options(graze_own INTERFACE -Werror)
+  endif()
+  if(GRAZE_SANITIZE)
+    target_compile_options(graze_own INTERFACE -fsanitize=${GRAZE_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(graze_own INTERFACE -fsanitize=${GRAZE_SANITIZE})
+  endif()
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 drops the rounding of double(float(x)) on neighbouring doubles when it packs them (seen at -O2 and -O3), and
   # warns falsely of overlap and bounds in "x" + std::string (GCC 105651, 105329).
   target_compile_options(graze_own INTERFACE -fno-tree-slp-vectorize -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow
                                             -Wno-stringop-overread)
-endif()
-if(GRAZE_WERROR)
-  target_compile_options(graze_own INTERFACE -Werror)
-endif()
-if(GRAZE_SANITIZE)
-  target_compile_options(graze_own INTERFACE -fsanitize=${GRAZE_SANITIZE} -fno-omit-frame-pointer)
-  target_link_options(graze_own INTERFACE -fsanitize=${GRAZE_SANITIZE})
 endif()
 # What is not called a million times a second (commands, reports, tests' own files) need not be compiled to be. It is added
 # to a target after the -O3 of a release build, whose place it takes.

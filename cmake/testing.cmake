@@ -14,7 +14,7 @@ function(graze_contract target)
   # g++ 12 takes its own AVX-512 intrinsics, and an empty optional, for used before they are set.
   target_compile_options(${target} PRIVATE -O2 -march=native -ffp-contract=fast -Wno-maybe-uninitialized)
 endfunction()
-set(core_sources certified exact rotating shapes standard)
+set(core_sources certified exact queries rotating shapes standard)
 list(TRANSFORM core_sources REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/core/src/\\1.cpp")
 add_library(graze_contracted_core OBJECT ${core_sources})
 target_link_libraries(graze_contracted_core PRIVATE graze_own graze::graze)
