@@ -140,7 +140,8 @@ bool StepPair::is_parted_by(const Vec3<double>& n) {
   for (const StepBody* body : {&a_, &b_}) {
     if (body->turns) bend += body->rate * detail::length_of_cross(n, body->w) * body->rho;
   }
-  return (std::sqrt(s_0) + std::sqrt(s_1)) * (1 - 0x1p-20) > limits_.t_end * std::sqrt(bend / 2);
+  return (detail::square_root(s_0) + detail::square_root(s_1)) * (1 - 0x1p-20) >
+         limits_.t_end * detail::square_root(bend / 2);
 }
 
 // The axis of C at both ends, taken as one: GJK.

@@ -13,7 +13,7 @@ Quaternion<double> product(const Quaternion<double>& l, const Quaternion<double>
                x = fl(l.w * r.x) + fl(l.x * r.w) + fl(l.y * r.z) - fl(l.z * r.y),
                y = fl(l.w * r.y) + fl(l.y * r.w) + fl(l.z * r.x) - fl(l.x * r.z),
                z = fl(l.w * r.z) + fl(l.z * r.w) + fl(l.x * r.y) - fl(l.y * r.x),
-               length = std::sqrt(fl(w * w) + fl(x * x) + fl(y * y) + fl(z * z));
+               length = detail::square_root(fl(w * w) + fl(x * x) + fl(y * y) + fl(z * z));
   return {w / length, x / length, y / length, z / length};
 }
 Vec3<double> rotated(const Quaternion<double>& q, const Vec3<double>& x) {

@@ -19,7 +19,8 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path(__file__).resolve().parent
 WORK = ROOT / "build" / "cross"
-os.environ.setdefault("NODE_PATH", "/usr/share/nodejs")  # Debian's modules of emscripten, for a Node from elsewhere
+# For a Node that is not Debian's: the modules of Debian's emscripten. For wine: no windows and no messages of its own.
+ENVIRONMENT = {"NODE_PATH": "/usr/share/nodejs", "WINEDEBUG": "-all", "WINEDLLOVERRIDES": "mscoree,mshtml="}
 MOST_SECONDS = 3600  # of a build or a run
 FUSED = "-march=x86-64-v3 -ffp-contract=fast"
 
@@ -54,7 +55,7 @@ TARGETS = {
                     "wine", "Windows", link="-static", suffix=".exe"),
     "wasm": Target("em++", "-O2 -msimd128 -fwasm-exceptions", "emscripten nodejs",
                    "node --stack-size=4000", "Emscripten",
-                   link="-fwasm-exceptions -s ALLOW_MEMORY_GROWTH=1 -s TOTAL_STACK=4MB -s EXIT_RUNTIME=1",
+                   link="-fwasm-exceptions -s SINGLE_FILE=1 -s ALLOW_MEMORY_GROWTH=1 -s TOTAL_STACK=4MB -s EXIT_RUNTIME=1",
                    suffix=".js"),
 }
 
@@ -105,7 +106,8 @@ def run(command, log):
     log.write(f"$ {shlex.join(command)}\n")
     log.flush()
     try:
-        return subprocess.run(command, stdout=log, stderr=subprocess.STDOUT, timeout=MOST_SECONDS).returncode == 0
+        return subprocess.run(command, stdout=log, stderr=subprocess.STDOUT, timeout=MOST_SECONDS,
+                              env=ENVIRONMENT | dict(os.environ)).returncode == 0
     except subprocess.TimeoutExpired:
         log.write(f"ended after {MOST_SECONDS} s\n")
         return False

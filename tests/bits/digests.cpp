@@ -1,8 +1,8 @@
 // Prints a hash of the answers of every query, tier, method and scalar, one line for each. The lines are the same on
-// every machine, with every compiler and every flag. usage: digests [flush | GROUP]
+// every machine, with every compiler and every flag. usage: digests [flush | GROUP [NUMBER]]
 //
 // With `flush`, subnormals are flushed to 0 and only the exact tier is asked, as the others promise nothing then. With the
-// name of a group, its answers are printed one by one, to find the first that differs.
+// name of a group, its answers are printed one by one, to find the first that differs. With its number, so are its words.
 //
 // The input must not depend on the machine either. Every number is an integer times a power of two, and every sum
 // stays within 53 bits before it is rounded once.
@@ -18,6 +18,8 @@
 #include <graze/rotating_cast.hpp>
 #include <graze/scene.hpp>
 #include <graze/swept_overlap.hpp>
+
+#include <cstdlib>
 
 #if defined(__SSE2__)
 #include <pmmintrin.h>
@@ -141,7 +143,7 @@ int main(int argc, char** argv) {
     return 77;
 #endif
   }
-  graze::bits::Table table(flush, given);
+  graze::bits::Table table(flush, given, argc > 2 ? std::atol(argv[2]) : 0);
   for (const graze::bits::Kind& kind : graze::bits::kKinds) {
     graze::bits::ask<double>(table, kind, kPairs);
     graze::bits::ask<float>(table, kind, kPairs);

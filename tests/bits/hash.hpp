@@ -102,27 +102,33 @@ class Hash {
     if (x.proof) all(x.proof->linear, x.proof->rotating);
   }
   [[nodiscard]] std::uint64_t value() const { return value_; }
+  void show(bool on) { shown_ = on; }
 
  private:
   void word(std::uint64_t x) {
+    if (shown_) std::printf("  %016llx\n", static_cast<unsigned long long>(x));
     for (int i = 0; i < 8; ++i) value_ = (value_ ^ (x >> (8 * i) & 0xff)) * 0x100000001b3u;
   }
   std::uint64_t value_ = 0xcbf29ce484222325u;
+  bool shown_ = false;
 };
 
 // A line for each group of answers.
 class Table {
  public:
-  // traced: the group whose answers are printed one by one, to find the first that differs. Empty: none.
-  Table(bool exact_only, std::string traced) : exact_only_(exact_only), traced_(std::move(traced)) {}
+  // traced: the group whose answers are printed one by one, to find the first that differs. Empty: none. shown: the
+  // number of the one whose words are printed.
+  Table(bool exact_only, std::string traced, long shown)
+      : exact_only_(exact_only), traced_(std::move(traced)), shown_(shown) {}
   [[nodiscard]] bool exact_only() const { return exact_only_; }
 
   template <Scalar S, class Answer>
   void add(const char* query, const Answer& answer) {
     const std::string name = std::string(query) + (sizeof(S) == 8 ? ", double" : ", float");
     Group& group = groups_[name];
-    group.hash.add(answer);
     ++group.answers;
+    group.hash.show(name == traced_ && group.answers == shown_);
+    group.hash.add(answer);
     if (name == traced_)
       std::printf("%ld %016llx\n", group.answers, static_cast<unsigned long long>(group.hash.value()));
   }
@@ -146,6 +152,7 @@ class Table {
   };
   bool exact_only_;
   std::string traced_;
+  long shown_;
   std::map<std::string, Group> groups_;
 };
 

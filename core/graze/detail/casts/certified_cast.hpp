@@ -473,7 +473,7 @@ class CertifiedCast {
       corner.w = rounded_once(p.point.w);
       triangle.add(corner);
     }
-    return std::sqrt(closest_to_origin(triangle, x).dist_sq);
+    return square_root(closest_to_origin(triangle, x).dist_sq);
   }
 
   // A hit is proved. Computes the width of its bracket and narrows it if necessary.

@@ -25,7 +25,7 @@ template <class Solid>
   const Triple x = ray.at(out.lower);
   hit.x = solid.nearest(x);
   const Triple off = x - hit.x;
-  out.apart = std::sqrt(dot(off, off)) + e;
+  out.apart = square_root(dot(off, off)) + e;
   for (const double deeper : {4.0, 16.0, 64.0}) {
     out.upper = hit.t + deeper * e / rate;
     const Triple y = ray.at(out.upper);

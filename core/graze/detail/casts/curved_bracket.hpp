@@ -31,7 +31,7 @@ template <Scalar S>
   constexpr double kTilt = 0x1p-25, kMoreTilt = 0x1p-20;
   CertifiedBracket out;
   const Triple n = found.n, &r = pair.direction();
-  const double rate = dot(n, r), length = std::sqrt(dot(n, n)), speed = std::sqrt(dot(r, r));
+  const double rate = dot(n, r), length = square_root(dot(n, n)), speed = square_root(dot(r, r));
   const double extent = pair.extent() + pair.radius(),
                predicate_error = 2 * point_error(pair) + fl(16 * u * extent);
   // The pair's scale is not below half its size (curved_walk.hpp).

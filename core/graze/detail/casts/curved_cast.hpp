@@ -11,7 +11,7 @@ template <Scalar S>
 void fill_curved_contact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                          const CurvedPair<S>& pair, const CurvedSweep& found, double lower,
                          CastResult<S>& out) {
-  const Triple n = (1 / std::sqrt(dot(found.n, found.n))) * found.n;
+  const Triple n = (1 / square_root(dot(found.n, found.n))) * found.n;
   if (asks_for(options.request, Request::normal)) out.normal = n.vector().template cast<S>();
   if (!asks_for(options.request, Request::witnesses)) return;
   const auto witness = [&](const Body<S>& body, const PreparedCurved<S>& core,
@@ -41,7 +41,7 @@ template <Scalar S>
   if (!fill_times(pair, found, options, out)) return false;
   if (found.outcome == Outcome::hit)
     fill_curved_contact(a, b, options, pair, found, double(out.toi_lower), out);
-  fill_proof(a, b, options, unit_axis(found.n, std::sqrt(dot(found.n, found.n))), out);
+  fill_proof(a, b, options, unit_axis(found.n, square_root(dot(found.n, found.n))), out);
   return true;
 }
 

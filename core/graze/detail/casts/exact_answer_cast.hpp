@@ -40,7 +40,7 @@ void answer_cast(PassageSearch<S>& cast, const Answer& answer, const CastOptions
       out.toi_lower = round_down<S>(toi.lower);
       out.toi_upper = round_up<S>(toi.upper);
       const Triple& r = cast.pair().direction();
-      const double speed = std::sqrt(dot(r, r)) * power_of_two(scene.speed_exponent());
+      const double speed = square_root(dot(r, r)) * power_of_two(scene.speed_exponent());
       out.distance = static_cast<S>((double(out.toi_upper) - double(out.toi_lower)) * speed);
       if (asks_for(options.request, Request::normal))
         out.normal = Vec3<double>(-meeting.normal()).template cast<S>();

@@ -142,7 +142,7 @@ template <Scalar S>
   out.toi_lower = round_down<S>(proof.toi.lower);
   out.toi_upper = round_up<S>(proof.toi.upper);
   const Triple& r = pair.direction();
-  out.distance = static_cast<S>((double(out.toi_upper) - double(out.toi_lower)) * std::sqrt(dot(r, r)) *
+  out.distance = static_cast<S>((double(out.toi_upper) - double(out.toi_lower)) * square_root(dot(r, r)) *
                                 power_of_two(pair.speed_exponent()));
   RoundSweep then = found;
   then.n = proof.normal;

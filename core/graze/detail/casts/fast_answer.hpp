@@ -25,7 +25,7 @@ template <Scalar S, class Pair, class Found>
     upper = std::min(round_up<S>(found.upper * power_of_two(k - j)), options.t_max);
     if (!(lower > 0 && lower <= upper)) return false;
     const Triple& r = pair.direction();
-    out.distance = static_cast<S>((found.upper - found.lower) * std::sqrt(dot(r, r)) * power_of_two(k));
+    out.distance = static_cast<S>((found.upper - found.lower) * square_root(dot(r, r)) * power_of_two(k));
   } else if (found.outcome == Outcome::miss) {
     lower = upper = kInfinity<S>;
   }

@@ -56,7 +56,7 @@ template <Scalar S>
   if (times.outcome == Outcome::hit) {
     if constexpr (!std::same_as<S, double>) {
       const Triple w = triple(path.displacement) - triple(target.body().displacement);
-      out.distance = round_up<S>((double(times.upper) - double(times.lower)) * std::sqrt(dot(w, w)));
+      out.distance = round_up<S>((double(times.upper) - double(times.lower)) * square_root(dot(w, w)));
     }
     fill_ray_contact(target, path, hit, point_is_b, times.lower, options, out);
   }

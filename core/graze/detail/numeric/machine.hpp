@@ -13,6 +13,7 @@
 
 #include <graze/linkage.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 
@@ -93,6 +94,16 @@ requires(!std::is_class_v<T> && !std::is_integral_v<T>) [[nodiscard, gnu::always
 #if !GRAZE_GNU
 [[nodiscard]] inline TwoLanes fl(const TwoLanes& x) { return {fl(x[0]), fl(x[1])}; }
 #endif
+
+// Rounded once. In code that g++ takes for rare it calls the C library, and MinGW's rounds to 64 bits first.
+[[nodiscard]] inline double square_root(double x) {
+#if defined(__MINGW32__) && defined(__SSE2__) && GRAZE_GNU
+  return __builtin_ia32_sqrtsd(TwoLanes{x, 0})[0];
+#else
+  return std::sqrt(x);
+#endif
+}
+[[nodiscard]] inline float square_root(float x) { return std::sqrt(x); }
 
 // A fused multiply-add that the compiler may not use?
 [[nodiscard]] inline bool fuses() {

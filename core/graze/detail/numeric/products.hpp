@@ -96,7 +96,7 @@ template <FixedExpression V>
 inline constexpr double kNearUnit = 1e-3;
 template <FixedExpression V>
 [[nodiscard, gnu::always_inline]] inline typename V::Scalar norm(const V& v) {
-  return std::sqrt(squared_norm(v));
+  return square_root(squared_norm(v));
 }
 // Scaled first, so no square vanishes or overflows.
 template <FixedExpression V>

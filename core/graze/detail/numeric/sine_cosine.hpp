@@ -124,7 +124,7 @@ inline double hypotenuse(double x, double y) {
   if (!(most > 0 && most < kInfinity<double>)) return most;
   const int k = exponent_of(most);
   const double down = power_of_two(-k), a = x * down, b = y * down;
-  return std::sqrt(fl(a * a) + fl(b * b)) * power_of_two(k);
+  return square_root(fl(a * a) + fl(b * b)) * power_of_two(k);
 }
 
 }}}  // namespace graze::GRAZE_LINKAGE::detail

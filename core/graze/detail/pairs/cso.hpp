@@ -137,15 +137,16 @@ class Cso {
 
   [[nodiscard]] int length_exponent() const { return k_; }
   [[nodiscard]] int speed_exponent() const { return j_; }
-  // t = s 2^(k - j), and its inverse. It is infinite if t_max is, or if it is out of S's range.
+  // t = s 2^(k - j), and its inverse. It is infinite if t_max is, or if it is out of S's range. Never -0, which one
+  // compiler's std::max() makes 0 and another's keeps.
   [[nodiscard]] S to_time(S s) const {
-    return static_cast<S>(static_cast<double>(s) * power_of_two(k_ - j_));
+    return static_cast<S>(static_cast<double>(s) * power_of_two(k_ - j_)) + S(0);
   }
   [[nodiscard]] S to_parameter(S t) const {
     return static_cast<S>(static_cast<double>(t) * power_of_two(j_ - k_));
   }
   [[nodiscard]] S to_length(S internal) const {
-    return static_cast<S>(static_cast<double>(internal) * power_of_two(k_));
+    return static_cast<S>(static_cast<double>(internal) * power_of_two(k_)) + S(0);
   }
 
  private:

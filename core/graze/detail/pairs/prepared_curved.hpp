@@ -85,7 +85,7 @@ class PreparedCurved {
       const Triple y = scaled(d), e_y = scaled(e), f_y = scaled(f);
       const double length_sq = dot(y, y);
       if (!(length_sq > kLeastSquare)) return {0, 0, 0};
-      const double by = 1 / std::sqrt(length_sq), along_e = by * dot(y, e_y), along_f = by * dot(y, f_y);
+      const double by = 1 / square_root(length_sq), along_e = by * dot(y, e_y), along_f = by * dot(y, f_y);
       bend.ee = by * (dot(e_y, e_y) - fl(along_e * along_e));
       bend.ef = by * (dot(e_y, f_y) - fl(along_e * along_f));
       bend.ff = by * (dot(f_y, f_y) - fl(along_f * along_f));
@@ -94,7 +94,7 @@ class PreparedCurved {
     // A rim: R |d_xy|, which bends along the tangent alone, by R / |d_xy|.
     const double z = piece == 1 ? radii_.z : -radii_.z, across_sq = fl(d.x * d.x) + fl(d.y * d.y);
     if ((kind_ == Kind::cone && piece == 1) || !(across_sq > kLeastSquare)) return core_.to_world({0, 0, z});
-    const double one = 1 / std::sqrt(across_sq), by = radii_.x * one, bent = by * one * one,
+    const double one = 1 / square_root(across_sq), by = radii_.x * one, bent = by * one * one,
                  e_t = fl(d.x * e.y) - fl(d.y * e.x), f_t = fl(d.x * f.y) - fl(d.y * f.x);
     bend.ee = bent * e_t * e_t;
     bend.ef = bent * e_t * f_t;
@@ -123,7 +123,7 @@ class PreparedCurved {
       case Kind::cylinder:
         return d.z >= 0 ? 1 : 0;
       case Kind::cone:
-        return 2 * radii_.z * d.z >= radii_.x * std::sqrt(fl(d.x * d.x) + fl(d.y * d.y)) ? 1 : 0;
+        return 2 * radii_.z * d.z >= radii_.x * square_root(fl(d.x * d.x) + fl(d.y * d.y)) ? 1 : 0;
       default:
         return 0;
     }
@@ -132,11 +132,11 @@ class PreparedCurved {
     if (kind_ == Kind::ellipsoid) {
       const Triple y = scaled(d);
       const double length_sq = dot(y, y);
-      return length_sq > kLeastSquare ? (1 / std::sqrt(length_sq)) * scaled(y) : Triple{0, 0, 0};
+      return length_sq > kLeastSquare ? (1 / square_root(length_sq)) * scaled(y) : Triple{0, 0, 0};
     }
     const double z = piece == 1 ? radii_.z : -radii_.z, across_sq = fl(d.x * d.x) + fl(d.y * d.y);
     if ((kind_ == Kind::cone && piece == 1) || !(across_sq > kLeastSquare)) return {0, 0, z};
-    const double by = radii_.x / std::sqrt(across_sq);
+    const double by = radii_.x / square_root(across_sq);
     return {by * d.x, by * d.y, z};
   }
 

@@ -268,7 +268,7 @@ class PreparedCore {
   }
   void set_reach(const Triple& extent) {
     size_ = largest(extent);
-    reach_ = std::sqrt(dot(extent, extent)) * (1 + 0x1p-50);
+    reach_ = square_root(dot(extent, extent)) * (1 + 0x1p-50);
   }
   [[gnu::noinline]] void set_other(const Body<S>& body) {
     if (std::holds_alternative<Point<S>>(body.shape) || std::holds_alternative<Sphere<S>>(body.shape)) {
@@ -406,7 +406,7 @@ class PreparedPair {
     offset_error_ = 2 * kUnitRoundoff<double> * largest(offset_) + fl(0x1p-95 * power_of_two(-k_) * turned);
     a_.prepare(k_);
     b_.prepare(k_);
-    extent_ = a_.reach() + b_.reach() + fl(std::sqrt(dot(offset_, offset_)) * (1 + 0x1p-50));
+    extent_ = a_.reach() + b_.reach() + fl(square_root(dot(offset_, offset_)) * (1 + 0x1p-50));
     const Triple v = triple(b.displacement) - triple(a.displacement);
     const double speed = largest(v);
     j_ = speed > 0 ? exponent_of(speed) : 0;

@@ -182,8 +182,8 @@ Vec3<double> walked_along(const Vec3<S>& d) {
   const double most = x.cwiseAbs().maxCoeff();
   if (!(most > 0)) return Vec3<double>::Zero();
   const Vec3<double> scaled_near_one = x / most;
-  return scaled_near_one / std::sqrt(height_along<double>(scaled_near_one, scaled_near_one[0],
-                                                          scaled_near_one[1], scaled_near_one[2]));
+  return scaled_near_one / square_root(height_along<double>(scaled_near_one, scaled_near_one[0],
+                                                            scaled_near_one[1], scaled_near_one[2]));
 }
 template <Scalar S, Scalar Given>
 SidePoint<S> tree_of_side(const Side<S>& side, const Vec3<S>& d, const std::uint32_t* chosen) {

@@ -70,7 +70,7 @@ void refine_axis(const Cso<S>& cso, Simplex<S>& simplex, Distance<S>& d, S gap, 
     wider.add(next);
     // The origin must not move away by more than rounding, or the step is discarded.
     const Closest<S> then = closest_to_origin(wider, Vec3<S>(Vec3<S>::Zero()));
-    if (!(std::sqrt(then.dist_sq) <= d.upper + gap)) return;
+    if (!(square_root(then.dist_sq) <= d.upper + gap)) return;
     simplex = wider;
   }
   const Closest<S> closest = closest_to_origin(simplex, Vec3<S>(Vec3<S>::Zero()));
@@ -104,8 +104,8 @@ template <Scalar S>
     out.outcome = Outcome::initially_overlapping;
     // A depth below zero, or a bound above the other, is rounding.
     upper = std::max(upper, 0.0);
-    out.upper = static_cast<S>(upper * power_of_two(k));
-    out.lower = static_cast<S>(std::min(std::max(lower, 0.0), upper) * power_of_two(k));
+    out.upper = static_cast<S>(upper * power_of_two(k)) + S(0);  // never -0
+    out.lower = static_cast<S>(std::min(std::max(lower, 0.0), upper) * power_of_two(k)) + S(0);
     if (asks_for(options.request, Request::normal)) out.normal = n.vector().template cast<S>();
     if (asks_for(options.request, Request::witnesses)) {
       out.point_a = pair_witness<S>(pair.a(), of_a, lambda, size, k);
@@ -140,7 +140,7 @@ template <Scalar S>
   if (state != FastState::touching) return false;
   // The origin on the simplex. C on one side of it: a depth of nothing. The axis before may show it.
   if (const Triple& last = gjk.axis_before(); !is_small_direction(last)) {
-    const Triple n = (1 / std::sqrt(dot(last, last))) * last;
+    const Triple n = (1 / square_root(dot(last, last))) * last;
     PairVertex farthest;
     support.sure(n, farthest);
     if (const double h = dot(n, farthest.w); h <= support.fine()) return touches(h, n);

@@ -13,7 +13,7 @@ struct RayCapsule {
 
   [[nodiscard]] double reach() const { return radius + half_height; }
   [[nodiscard]] double support(const Triple& n) const {
-    return fl(half_height * std::abs(n.z)) + fl(radius * std::sqrt(dot(n, n)));
+    return fl(half_height * std::abs(n.z)) + fl(radius * square_root(dot(n, n)));
   }
   [[nodiscard]] bool contains(const Triple& x, double e) const {
     const Triple q = from_core(x);
@@ -22,7 +22,7 @@ struct RayCapsule {
   }
   [[nodiscard]] Triple nearest(const Triple& x) const {
     const Triple q = from_core(x);
-    const double length = std::sqrt(dot(q, q));
+    const double length = square_root(dot(q, q));
     return length > radius ? (x - q) + (radius / length) * q : x;
   }
   [[nodiscard]] RayEntry enter(const Triple& p, const Triple& w) const {
@@ -35,7 +35,7 @@ struct RayCapsule {
     const double across = fl(p.x * w.y) - fl(p.y * w.x), middle = -(fl(p.x * w.x) + fl(p.y * w.y)) / a;
     const double square = fl(a * radius * radius) - fl(across * across);
     if (square < 0) return {true, 0, {p.x + fl(middle * w.x), p.y + fl(middle * w.y), 0}};
-    const double t = middle - std::sqrt(square) / a, z = p.z + fl(t * w.z);
+    const double t = middle - square_root(square) / a, z = p.z + fl(t * w.z);
     if (std::abs(z) <= half_height) return {false, t, {p.x + fl(t * w.x), p.y + fl(t * w.y), 0}};
     return enter_ball(p, w, std::copysign(half_height, z));
   }
@@ -51,7 +51,7 @@ struct RayCapsule {
     const Triple near = q + t0 * w;
     const double square = fl(radius * radius) - dot(near, near);
     if (square < 0) return {true, 0, near};
-    const double t = t0 - std::sqrt(square / ww);
+    const double t = t0 - square_root(square / ww);
     return {false, t, q + t * w};
   }
 };

@@ -47,9 +47,9 @@ class SolidClip {
       return;
     }
     const RayEntry entry = solid_.enter(p, w);
-    out.n = (1 / std::sqrt(dot(entry.n, entry.n))) * entry.n;
+    out.n = (1 / square_root(dot(entry.n, entry.n))) * entry.n;
     if (entry.missed) {
-      const double along = std::abs(dot(out.n, w)) * (reach + ray_.predicate_error) / std::sqrt(ww);
+      const double along = std::abs(dot(out.n, w)) * (reach + ray_.predicate_error) / square_root(ww);
       if (above(out.n, p) > along) out.kind = Kind::miss;
       return;
     }
@@ -80,7 +80,7 @@ class SolidClip {
   // Does the axis where the line leaves the solid say so?
   [[nodiscard, gnu::noinline]] bool is_behind(const Triple& p) const {
     const RayEntry exit = solid_.enter(p, -ray_.w);
-    const Triple n = (1 / std::sqrt(dot(exit.n, exit.n))) * exit.n;
+    const Triple n = (1 / square_root(dot(exit.n, exit.n))) * exit.n;
     return !exit.missed && dot(n, ray_.w) >= 0 && above(n, ray_.o) > 0;
   }
 

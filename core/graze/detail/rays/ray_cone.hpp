@@ -17,15 +17,15 @@ struct RayCone {
   [[nodiscard]] double reach() const { return radius + half_height; }
   [[nodiscard]] double support(const Triple& n) const {
     return greater(half_height * n.z,
-                   fl(radius * std::sqrt(fl(n.x * n.x) + fl(n.y * n.y))) - fl(half_height * n.z));
+                   fl(radius * square_root(fl(n.x * n.x) + fl(n.y * n.y))) - fl(half_height * n.z));
   }
   [[nodiscard]] bool contains(const Triple& x, double e) const {
-    const double inward = fl(slope * (half_height - x.z)) - std::sqrt(fl(x.x * x.x) + fl(x.y * x.y));
-    return inward >= e * std::sqrt(1 + fl(slope * slope)) && x.z - e >= -half_height;
+    const double inward = fl(slope * (half_height - x.z)) - square_root(fl(x.x * x.x) + fl(x.y * x.y));
+    return inward >= e * square_root(1 + fl(slope * slope)) && x.z - e >= -half_height;
   }
   [[nodiscard]] Triple nearest(const Triple& x) const {
     const double z = greater(lesser(x.z, half_height), -half_height), most = slope * (half_height - z);
-    const double out = std::sqrt(fl(x.x * x.x) + fl(x.y * x.y)), inward = out > most ? most / out : 1.0;
+    const double out = square_root(fl(x.x * x.x) + fl(x.y * x.y)), inward = out > most ? most / out : 1.0;
     return {inward * x.x, inward * x.y, z};
   }
   [[nodiscard]] RayEntry enter(const Triple& p, const Triple& w) const {
@@ -40,7 +40,7 @@ struct RayCone {
     if (square < 0) return passes_side(w, a, A, across);
     const double B = (fl(q.x * w.x) + fl(q.y * w.y)) - fl(kk * q.z * w.z),
                  C = (fl(q.x * q.x) + fl(q.y * q.y)) - fl(kk * q.z * q.z);
-    const double sum = -(B + std::copysign(std::sqrt(square), B));
+    const double sum = -(B + std::copysign(square_root(square), B));
     const double first = C / sum, second = sum / A;
     double side = lesser(first, second), exit = greater(first, second);
     if (A < 0) {
@@ -60,14 +60,14 @@ struct RayCone {
     }
     if (enter > side) return {false, t0 + enter, {0, 0, -1}};
     const double x = q.x + fl(enter * w.x), y = q.y + fl(enter * w.y);
-    return {false, t0 + enter, {x, y, slope * std::sqrt(fl(x * x) + fl(y * y))}};
+    return {false, t0 + enter, {x, y, slope * square_root(fl(x * x) + fl(y * y))}};
   }
 
  private:
   // The tangent plane that holds the line's direction, on the side where the line passes.
   [[nodiscard]] RayEntry passes_side(const Triple& w, double a, double A, double across) const {
     if (!(A >= 0)) return {true, 0, {0, 0, 0}};
-    const double along = -slope * w.z / a, beside = std::copysign(std::sqrt(A), across) / a;
+    const double along = -slope * w.z / a, beside = std::copysign(square_root(A), across) / a;
     return {true, 0, {fl(along * w.x) + fl(beside * w.y), fl(along * w.y) - fl(beside * w.x), slope}};
   }
   // A level line above the apex, or one that meets the upper half alone.

@@ -14,14 +14,14 @@ struct RayCylinder {
 
   [[nodiscard]] double reach() const { return radius + half_height; }
   [[nodiscard]] double support(const Triple& n) const {
-    return fl(half_height * std::abs(n.z)) + fl(radius * std::sqrt(fl(n.x * n.x) + fl(n.y * n.y)));
+    return fl(half_height * std::abs(n.z)) + fl(radius * square_root(fl(n.x * n.x) + fl(n.y * n.y)));
   }
   [[nodiscard]] bool contains(const Triple& x, double e) const {
     const double inner = radius - e;
     return inner > 0 && fl(x.x * x.x) + fl(x.y * x.y) <= inner * inner && std::abs(x.z) + e <= half_height;
   }
   [[nodiscard]] Triple nearest(const Triple& x) const {
-    const double out = std::sqrt(fl(x.x * x.x) + fl(x.y * x.y)), inward = out > radius ? radius / out : 1.0;
+    const double out = square_root(fl(x.x * x.x) + fl(x.y * x.y)), inward = out > radius ? radius / out : 1.0;
     return {inward * x.x, inward * x.y, greater(lesser(x.z, half_height), -half_height)};
   }
   [[nodiscard]] RayEntry enter(const Triple& p, const Triple& w) const {
@@ -31,7 +31,7 @@ struct RayCylinder {
       const double across = fl(p.x * w.y) - fl(p.y * w.x), middle = -(fl(p.x * w.x) + fl(p.y * w.y)) / a;
       const double square = fl(a * radius * radius) - fl(across * across);
       if (square < 0) return {true, 0, {p.x + fl(middle * w.x), p.y + fl(middle * w.y), 0}};
-      const double half = std::sqrt(square) / a;
+      const double half = square_root(square) / a;
       enter = side = middle - half;
       exit = middle + half;
     } else if (fl(p.x * p.x) + fl(p.y * p.y) > radius * radius) {

@@ -14,7 +14,7 @@ struct RayEllipsoid {
   [[nodiscard]] double reach() const { return largest(radii); }
   [[nodiscard]] double support(const Triple& n) const {
     const Triple scaled = times(radii, n);
-    return std::sqrt(dot(scaled, scaled));
+    return square_root(dot(scaled, scaled));
   }
   [[nodiscard]] bool contains(const Triple& x, double e) const {
     const Triple y = times(per, x);
@@ -23,7 +23,7 @@ struct RayEllipsoid {
   }
   [[nodiscard]] Triple nearest(const Triple& x) const {
     const Triple y = times(per, x);
-    const double out = std::sqrt(dot(y, y));
+    const double out = square_root(dot(y, y));
     return out > 1 ? (1 / out) * x : x;
   }
   [[nodiscard]] RayEntry enter(const Triple& p, const Triple& w) const {
@@ -32,7 +32,7 @@ struct RayEllipsoid {
     const Triple near = q + t0 * v;
     const double square = 1 - dot(near, near);
     if (square < 0) return {true, 0, times(per, near)};
-    const double t = t0 - std::sqrt(square / vv);
+    const double t = t0 - square_root(square / vv);
     return {false, t, times(per, q + t * v)};
   }
 

@@ -49,7 +49,7 @@ inline void clip_triangle(const std::array<Triple, 3>& own, const Ray& ray, RayH
     out.kind = Kind::miss;
   } else if (out.t + late < ray.t_max) {
     out.kind = Kind::hit;
-    out.n = ((rate > 0 ? -1 : 1) / std::sqrt(dot(N, N))) * N;
+    out.n = ((rate > 0 ? -1 : 1) / square_root(dot(N, N))) * N;
     const double one = 1 / rate;
     out.x = (v0 * one) * own[0] + ((v1 * one) * own[1] + (v2 * one) * own[2]);
   }

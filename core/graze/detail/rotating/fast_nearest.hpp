@@ -50,7 +50,7 @@ class FastClosest {
     double longest_sq = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i)
       longest_sq = std::max(longest_sq, dot(y_[i], y_[i]));
-    return length <= 32 * kUnitRoundoff<double> * std::sqrt(longest_sq);
+    return length <= 32 * kUnitRoundoff<double> * square_root(longest_sq);
   }
   // |v| by its weights, from the first of its points.
   [[nodiscard]] double weighted() const {
@@ -58,7 +58,7 @@ class FastClosest {
     Triple v = first;
     for (std::size_t i = 1; i < static_cast<std::size_t>(kept_); ++i)
       v = v + lambda_[i] * (y_[index_[i]] - first);
-    return std::sqrt(dot(v, v));
+    return square_root(dot(v, v));
   }
 
  private:
@@ -113,7 +113,7 @@ class FastClosest {
     if (la > 0 && lb > 0 && lc > 0 && ld > 0) {
       // As closest_inside() in search/robust/simplex.hpp.
       const double predicate_error =
-          8 * kUnitRoundoff<double> * std::sqrt(dot(da, da) * dot(db, db) * dot(dc, dc));
+          8 * kUnitRoundoff<double> * square_root(dot(da, da) * dot(db, db) * dot(dc, dc));
       if (!(sign * volume > predicate_error)) return;
       const double one = sign / volume;
       return keep(0, {0, 0, 0}, {0, 1, 2, 3}, {la * one, lb * one, lc * one, ld * one});
@@ -171,7 +171,7 @@ inline bool fast_distance(const Cso<double>& cso, Simplex<double>& simplex, doub
     if (size == 4) return closest.is_noise(out.upper);
     const double length_sq = dot(closest.n(), closest.n());
     if (!(length_sq > 0x1p-400 && length_sq < 0x1p400) || budget-- <= 0) return false;
-    const Vec3<double> n = (1 / std::sqrt(length_sq)) * closest.n().vector();
+    const Vec3<double> n = (1 / square_root(length_sq)) * closest.n().vector();
     const CsoPoint<double> next = cso.support(n);
     ++counters.supports;
     const double lower = -dot(n, next.w);

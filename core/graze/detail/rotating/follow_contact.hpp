@@ -168,17 +168,17 @@ class ContactFollower {
         return stopped(Followed::State::deeper);
       }
       if (least) return stopped(Followed::State::open);
-      const double tried = t - now_.t, room = std::sqrt(std::max(now_.s + followed(), 0.0));
+      const double tried = t - now_.t, room = square_root(std::max(now_.s + followed(), 0.0));
       // In this time points bend by as much as the depth that is followed.
-      const double straight = tried * room / std::sqrt(slope.k);
+      const double straight = tried * room / square_root(slope.k);
       if (deep) {
         deeper_ = deep_;
         deep_ = {t, there.s};
         h = towards_deep();
         if (straight < tried / 2) h = std::max(h, straight);
       } else {
-        const double end = std::sqrt(std::max(there.s + followed(), 0.0));
-        h = tried * std::clamp(0.9 * (room + end) / (2 * std::sqrt(slope.k)), 0x1p-20, 0.5);
+        const double end = square_root(std::max(there.s + followed(), 0.0));
+        h = tried * std::clamp(0.9 * (room + end) / (2 * square_root(slope.k)), 0x1p-20, 0.5);
       }
     }
   }
@@ -268,7 +268,7 @@ class ContactFollower {
       if (!(shortest_sq > 0.25)) continue;
       const double bend = pair_.bend_between(frame, now_.n, now_.t, there.n, there.t, limits_.end);
       Slope one = least_of(now_.s - error, there.s - error, bend * h * h / 8 * (1 + 0x1p-40));
-      if (one.low < 0) one.low *= (1 + 8 * kUnitRoundoff<double>) / std::sqrt(shortest_sq);
+      if (one.low < 0) one.low *= (1 + 8 * kUnitRoundoff<double>) / square_root(shortest_sq);
       take(one, best);
       if (best.low >= -followed()) return;
     }

@@ -306,7 +306,7 @@ class Marcher {
         bend = std::min(bend, pair_.bend(frame, axis_, limits_.end));
     }
     const double first = fast > 0 ? 2 * limits_.stop / fast : kInfinity<double>;
-    const double most = std::max(bend > 0 ? std::sqrt(8 * limits_.stop / bend) : kInfinity<double>, first);
+    const double most = std::max(bend > 0 ? square_root(8 * limits_.stop / bend) : kInfinity<double>, first);
     stride_ = stride_ > 0 ? 2 * stride_ : first;
     const double t = now_.t, next = t + std::min({stride_, most, limits_.end - t});
     return next > t ? next : t + std::max(t * 2 * kUnitRoundoff<double>, 0x1p-500);

@@ -40,7 +40,7 @@ inline double length_of_cross(const Vec3<double>& l, const Vec3<double>& r) {
   const double l_sq = squared_norm(l), r_sq = squared_norm(r);
   if (l_sq > 0x1p-400 && l_sq < 0x1p400 && r_sq > 0x1p-400 && r_sq < 0x1p400) {
     const double length_sq = squared_norm(cross(l, r));
-    if (length_sq > 0x1p-20 * (l_sq * r_sq)) return std::sqrt(length_sq) * (1 + 0x1p-40);
+    if (length_sq > 0x1p-20 * (l_sq * r_sq)) return square_root(length_sq) * (1 + 0x1p-40);
   }
   constexpr double kExact = 0x1p-700;
   Vec3<double> c;
@@ -276,8 +276,8 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
     out.low = std::min(out.low, unit * (dot(axis, arm) - slack));
     out.high = std::max(out.high, unit * (dot(axis, arm) + slack));
   });
-  out.rho = unit * (std::sqrt(across_sq) + across_slack);
-  out.reach = unit * (std::sqrt(arm_sq) + arm_slack);
+  out.rho = unit * (square_root(across_sq) + across_slack);
+  out.reach = unit * (square_root(arm_sq) + arm_slack);
   const Vec3<double> zero = Vec3<double>::Zero();
   if (is_ball<S>(shape)) {
     // For an axis along w: it rotates with its centre.

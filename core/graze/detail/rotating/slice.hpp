@@ -104,7 +104,8 @@ class SliceSearch {
     const std::array<Frame, 3> all = frames(now.near.n);
     for (const Frame& frame : all) {
       const double longest = out.end - now.t;
-      if (!(std::min(rest, 2 * std::sqrt(now.near.gap) / frame.bend_root) > kWorthTrying * longest)) continue;
+      if (!(std::min(rest, 2 * square_root(now.near.gap) / frame.bend_root) > kWorthTrying * longest))
+        continue;
       place(now.t);
       const Vec3<double> own = pair_.to_own(frame.of, now.near.n);
       along_axis(Along{now.t, own, now.near.gap - pair_.frame_error(frame.of), frame, {}}, longest, out);
@@ -204,7 +205,7 @@ class SliceSearch {
     std::array<Frame, 3>& out = frames_;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto of = static_cast<AxisFrame>(i);
-      out[i] = {of, std::sqrt(bends[i] / 2 * (1 + 0x1p-40))};
+      out[i] = {of, square_root(bends[i] / 2 * (1 + 0x1p-40))};
     }
     // A stable in-place sort of three elements.
     const auto in_order = [&](std::size_t i) {
@@ -216,7 +217,7 @@ class SliceSearch {
     return out;
   }
   static bool proves(double h, double s_0, double s_1, double bend_root) {
-    return s_0 > 0 && s_1 > 0 && (std::sqrt(s_0) + std::sqrt(s_1)) * kShort > h * bend_root;
+    return s_0 > 0 && s_1 > 0 && (square_root(s_0) + square_root(s_1)) * kShort > h * bend_root;
   }
   // The gap wanted at the end of a slice towards contact. It shrinks faster each time, so that the search is
   // superlinear.
@@ -250,7 +251,7 @@ class SliceSearch {
     const Due guess = due(now, before);
     if (!(guess.slope < kInfinity<double>)) return false;
     // This limit holds for every axis, and also if the gap at the end is almost 0.
-    const double root = frames(now.near.n)[0].bend_root, most = std::sqrt(gap) / root * kTowards;
+    const double root = frames(now.near.n)[0].bend_root, most = square_root(gap) / root * kTowards;
     double last = kInfinity<double>, longest = kInfinity<double>;
     for (const double left : {wished(gap, before), gap / 8}) {
       const double due_in = guess.at(gap - left), h = std::min({due_in, most, rest, longest});
@@ -292,7 +293,7 @@ class SliceSearch {
       const double error = pair_.frame_error(frame.of), s_0 = now.near.gap - error, s_1 = there.gap - error;
       if (!proves(h, s_0, s_1, frame.bend_root)) continue;  // no more than the fixed axis allows
       const double bend = pair_.bend_between(frame.of, now.near.n, now.t, there.n, end, limits_.end);
-      if (!proves(h, s_0, s_1, std::sqrt(bend / 2 * (1 + 0x1p-40)))) continue;
+      if (!proves(h, s_0, s_1, square_root(bend / 2 * (1 + 0x1p-40)))) continue;
       out.end = end;
       out.there = there;
       return true;
@@ -305,7 +306,7 @@ class SliceSearch {
   void by_two_axes(const Seen& now, Slice& out) {
     if (records_) return;
     const double rest = limits_.end - now.t;
-    double h = std::min(rest, kTowards * 2 * std::sqrt(now.near.gap) / frames(now.near.n)[0].bend_root);
+    double h = std::min(rest, kTowards * 2 * square_root(now.near.gap) / frames(now.near.n)[0].bend_root);
     constexpr int kTries = 3;
     for (int i = 0; i < kTries && h > kWorthTrying * (out.end - now.t); ++i, h /= 4) {
       const double end = h >= rest ? limits_.end : not_after(now.t, h);
@@ -332,7 +333,7 @@ class SliceSearch {
         pair_.place(end);
         const double error = pair_.frame_error(frame), s_0 = now.near.gap - error,
                      s_1 = pair_.gap(pair_.to_world(frame, own), counters_) - error;
-        if (!proves(1, s_0, s_1, 2 * std::sqrt(k))) continue;
+        if (!proves(1, s_0, s_1, 2 * square_root(k))) continue;
         out = {};
         out.end = end;
         out.expected = s_1;
@@ -363,7 +364,7 @@ class SliceSearch {
   void along_axis(const Along& from, double safe, Slice& out) {
     const double gap = from.gap, rest = limits_.end - from.t, left = gap / 16, root = from.frame.bend_root;
     if (!(gap > 0)) return;
-    double h = root > 0 ? std::min(rest, 2 * std::sqrt(gap) / root * kShort) : rest;
+    double h = root > 0 ? std::min(rest, 2 * square_root(gap) / root * kShort) : rest;
     double good = 0, good_gap = gap;  // of the proved slice
     double bad, bad_gap;              // of the try before
     constexpr int kTries = 8;
@@ -388,7 +389,7 @@ class SliceSearch {
       bad = h;
       bad_gap = s;
       if (bad_gap > 0) {
-        h = (std::sqrt(gap) + std::sqrt(std::min(bad_gap, gap))) / root * (kShort * kShort);
+        h = (square_root(gap) + square_root(std::min(bad_gap, gap))) / root * (kShort * kShort);
         if (!(h < bad)) h = bad / 2;
       } else {
         // Takes the secant between the beginning and the failed time, towards the gap wanted. The beginning's gap is
@@ -423,7 +424,7 @@ class SliceSearch {
             limits_.may_sweep.b && spins(pair_.mobility_b())};
   }
   [[nodiscard]] Frame still(const WholeTurns& whole, const Vec3<double>& n) const {
-    return {AxisFrame::world, std::sqrt(swept_bend(pair_, whole, n) / 2 * (1 + 0x1p-40))};
+    return {AxisFrame::world, square_root(swept_bend(pair_, whole, n) / 2 * (1 + 0x1p-40))};
   }
   // The cylinder is seldom clear if it was not clear a moment ago.
   void by_whole_turns(const Seen& now, Slice& out) {

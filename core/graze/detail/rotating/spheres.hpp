@@ -31,7 +31,7 @@ inline SphereCast cast_spheres(const Vec3<double>& c, const Vec3<double>& v, dou
   const double half_sq = fl(R * R) - squared_norm(across);
   if (!(half_sq >= 0)) return out;
   const double begin =
-      (-along / std::sqrt(speed_sq) - std::sqrt(half_sq)) / std::sqrt(speed_sq) * (1 - 32 * u);
+      (-along / square_root(speed_sq) - square_root(half_sq)) / square_root(speed_sq) * (1 - 32 * u);
   if (begin > t_end) return out;
   out.meet = true;
   out.begin = std::max(begin, 0.0);

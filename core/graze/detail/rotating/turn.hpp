@@ -21,7 +21,7 @@ inline constexpr double kMostTurn = 0x1p30;
 
 // sqrt(x), x > 0, within 2^-100: one step of Newton's on the double's root.
 inline TwoDoubles root(TwoDoubles x) {
-  const double first = std::sqrt(x.hi);
+  const double first = square_root(x.hi);
   if (!(first > 0)) return {};
   const TwoDoubles rest = x + -two_product(first, first);
   return two_sum(first, rest.hi / (2 * first));

@@ -63,8 +63,8 @@ Hull<S>::Data::Data(std::span<const Vec3<S>> given) : vertices(given.begin(), gi
   const Vec3<double> extent =
       power_of_two(exponent) * (half.template cast<double>() + middle.cwiseAbs().template cast<double>());
   size = extent.maxCoeff();
-  reach = std::sqrt(detail::fl(extent[0] * extent[0]) + detail::fl(extent[1] * extent[1]) +
-                    detail::fl(extent[2] * extent[2])) *
+  reach = detail::square_root(detail::fl(extent[0] * extent[0]) + detail::fl(extent[1] * extent[1]) +
+                              detail::fl(extent[2] * extent[2])) *
           (1 + 0x1p-50);
   // An offset below an eighth of the extent costs no more than that: not worth a second scan.
   if (!((middle.cwiseAbs() - half / 8).maxCoeff() <= 0)) {

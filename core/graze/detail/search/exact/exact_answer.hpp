@@ -24,7 +24,7 @@ Vec3<double> over_length_as(Vec3<double> n) {
   const double most = n.cwiseAbs().maxCoeff();
   if (!(most > 0)) return Vec3<double>::Zero();
   n *= power_of_two(-exponent_of(most));
-  return n / std::sqrt(squared_length<kFused>(n));
+  return n / square_root(squared_length<kFused>(n));
 }
 inline Vec3<double> over_length(const Vec3<double>& n) {
   return fuses() ? over_length_as<true>(n) : over_length_as<false>(n);

@@ -33,7 +33,7 @@ inline exact::Dyadic root_up(const exact::Dyadic& x) {
     const double whole = std::ldexp(std::round(std::ldexp(step, above)), -above);
     return whole != 0 ? whole : step;
   };
-  const double first = std::sqrt(x.leading() * (x.order() % 2 != 0 ? 2.0 : 1.0));
+  const double first = square_root(x.leading() * (x.order() % 2 != 0 ? 2.0 : 1.0));
   Dyadic root = Dyadic(on_grid(first, order)).times_power_of_two(order);
   for (int step = 0; step < 8; ++step) {
     const Dyadic rest = x - root * root;

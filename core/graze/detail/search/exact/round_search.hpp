@@ -217,8 +217,8 @@ class RoundSearch {
                  below = near_->below() * near_->weight() * near_->weight();
     const Dyadic along = dot(near_->p(), v_);
     const double excess = ratio(near_->above() - reach * reach * near_->below(), below);
-    const double length = std::sqrt(ratio(near_->above(), below)) + ratio(radius_, Dyadic(1));
-    const double rate = std::sqrt(ratio(along * along, dot(near_->p(), near_->p())));
+    const double length = square_root(ratio(near_->above(), below)) + ratio(radius_, Dyadic(1));
+    const double rate = square_root(ratio(along * along, dot(near_->p(), near_->p())));
     return excess / length / rate;
   }
 
@@ -283,7 +283,7 @@ class RoundSearch {
   }
   // The nearest feature changes between two doubles, which may be far apart beside R: Newton's steps over finer times.
   void close_in(double lower) {
-    const double speed = std::sqrt(ratio(dot(v_, v_), Dyadic(1))), radius = ratio(radius_, Dyadic(1));
+    const double speed = square_root(ratio(dot(v_, v_), Dyadic(1))), radius = ratio(radius_, Dyadic(1));
     Dyadic t(lower);
     for (int step = 0; step < kNewton && valid_; ++step) {
       const double way = newton() * (1 - 0x1p-40);

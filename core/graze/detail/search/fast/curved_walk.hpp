@@ -79,7 +79,7 @@ class CurvedWalk {
       : pair_(pair), counters_(counters), r_(pair.direction()), radius_(pair.radius()) {
     budget_ = std::min(budget, kCurvedSteps);
     r_sq_ = dot(r_, r_);
-    length_ = std::sqrt(r_sq_);
+    length_ = square_root(r_sq_);
     r_unit_ = (1 / length_) * r_;
     s_max_ = horizon;
     // Beyond its extent nothing of C is met.
@@ -114,7 +114,7 @@ class CurvedWalk {
     // A guess in floats does not resolve the tilt.
     sure_ = guess_ > noise_;
     base_ = n;
-    tilt_ = tilt * std::sqrt(dot(n, n));
+    tilt_ = tilt * square_root(dot(n, n));
     return find_about(0.8, 0.6);
   }
   // Coordinates of corner i: across the line, and along it.
@@ -141,12 +141,12 @@ class CurvedWalk {
     const double x = std::abs(r_unit_.x), y = std::abs(r_unit_.y), z = std::abs(r_unit_.z);
     const Triple least = x <= y && x <= z ? Triple{1, 0, 0} : y <= z ? Triple{0, 1, 0} : Triple{0, 0, 1};
     const Triple e = cross(least, r_unit_);
-    e_ = (1 / std::sqrt(dot(e, e))) * e;
+    e_ = (1 / square_root(dot(e, e))) * e;
     f_ = cross(r_unit_, e_);
   }
   void set(const Triple& a, const Triple& b, const Triple& n, CurvedCorner& out) const {
     out.w = a - (b + pair_.offset());
-    if (radius_ > 0) out.w = out.w + (radius_ / std::sqrt(dot(n, n))) * n;
+    if (radius_ > 0) out.w = out.w + (radius_ / square_root(dot(n, n))) * n;
     out.u = dot(out.w, e_);
     out.v = dot(out.w, f_);
   }
@@ -294,7 +294,7 @@ class CurvedWalk {
   // A flat end of one body that the other meets, of those within an angle of the axis and not tried yet.
   [[nodiscard]] bool flat_end(const Triple& n, double cosine) {
     if (side_ < 0) return false;
-    const double length = std::sqrt(dot(n, n));
+    const double length = square_root(dot(n, n));
     for (const bool of_a : {true, false}) {
       const PreparedCurved<S>& body = of_a ? pair_.a() : pair_.b();
       if (!body.is_curved()) continue;
@@ -321,11 +321,11 @@ class CurvedWalk {
     const Triple end = body.half_height() * out;
     // C's points that n supports: `end` and what is across the axis from it, less or plus the other's point.
     const Triple fixed = (of_a ? end - (there + pair_.offset()) : there - (end + pair_.offset())) +
-                         (radius_ / std::sqrt(dot(n, n))) * n;
+                         (radius_ / square_root(dot(n, n))) * n;
     const double h = dot(n, w.w), s = h / dot(n, r_);
     Triple beside = s * r_ - fixed;
     beside = (of_a ? 1.0 : -1.0) * (beside - dot(beside, axis) * axis);
-    const double from = std::sqrt(dot(beside, beside)), rim = body.rim_radius();
+    const double from = square_root(dot(beside, beside)), rim = body.rim_radius();
     if (!(from <= rim * (1 - 0x1p-40))) return false;
     if (!close(n, h, fixed + (of_a ? 1.0 : -1.0) * beside)) return false;
     if (out_.outcome != Outcome::hit) return true;
@@ -386,7 +386,7 @@ class CurvedWalk {
       ++counters_.iterations;
       Bend bend;
       Turned turned_a, turned_b;
-      const Triple ball = radius_ > 0 ? (radius_ / std::sqrt(dot(n, n))) * n : Triple{0, 0, 0};
+      const Triple ball = radius_ > 0 ? (radius_ / square_root(dot(n, n))) * n : Triple{0, 0, 0};
       for (std::size_t i = 0; i < std::size_t(count_); ++i) {
         Piece& p = piece_[i];
         const Triple a = pair_.a().is_curved() ? turn(pair_.a(), p.a, n, own_e_a_, own_f_a_, turned_a)
@@ -402,20 +402,20 @@ class CurvedWalk {
         if (pair_.b().is_curved()) add(turned_b.bend[p.b], p.lambda, bend);
       }
       if (radius_ > 0) {
-        const double n_sq = 1 + fl(x * x) + fl(y * y), by = radius_ / std::sqrt(n_sq);
+        const double n_sq = 1 + fl(x * x) + fl(y * y), by = radius_ / square_root(n_sq);
         bend.ee += fl(by * (1 - x * x / n_sq));
         bend.ef -= by * x * y / n_sq;
         bend.ff += fl(by * (1 - y * y / n_sq));
       }
       axis_ = n;
       if ((step > 0 && closes(n, w)) || flat_end(n, kAtEnd)) return true;
-      const double length = std::sqrt(1 + fl(x * x) + fl(y * y)),
+      const double length = square_root(1 + fl(x * x) + fl(y * y)),
                    stiff = fl(reach_ / length * std::min(std::max(moved * moved, kSoft), kStiff));
       bend.ee += stiff;
       bend.ff += stiff;
       double dx = 0, dy = 0;
       if (!least(bend, dx, dy)) return false;
-      double by = std::min(1.0, kLongest * length / std::sqrt(fl(dx * dx) + fl(dy * dy)));
+      double by = std::min(1.0, kLongest * length / square_root(fl(dx * dx) + fl(dy * dy)));
       bool better = false;
       for (int i = 0; i < 3 && !better; ++i, by /= 4) {
         const double next_x = x + fl(by * dx), next_y = y + fl(by * dy);
@@ -428,7 +428,7 @@ class CurvedWalk {
         better = there_h <= h + noise_;
         take(there.piece_a, there.piece_b, 0);
         if (better || i == 2) {
-          moved = by * std::sqrt(fl(dx * dx) + fl(dy * dy)) / length;
+          moved = by * square_root(fl(dx * dx) + fl(dy * dy)) / length;
           x = next_x;
           y = next_y;
           n = next;

@@ -137,7 +137,7 @@ class FastEpa {
       n = triple(face_normal<double>(a.vector(), b.vector(), c.vector()));
       n_sq = dot(n, n);
     }
-    const double one = 1 / std::sqrt(n_sq);
+    const double one = 1 / square_root(n_sq);
     Face& out = face_[f];
     out.n.x = one * n.x;
     out.n.y = one * n.y;

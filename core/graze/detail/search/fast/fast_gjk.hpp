@@ -47,7 +47,7 @@ class FastGjk {
       n_before_ = n_;
       close_in();
       if (size_ == 4) return encloses() ? FastState::enclosed : FastState::open;
-      const double dist = std::sqrt(dist_sq_);
+      const double dist = square_root(dist_sq_);
       // No nearer: rounding, or NaN.
       if (!(dist_sq_ < before)) return FastState::open;
       before = dist_sq_;
@@ -56,7 +56,7 @@ class FastGjk {
         return FastState::touching;
       }
       if (is_small_direction(n_) || budget-- <= 0) return FastState::open;
-      const double length = std::sqrt(dot(n_, n_));
+      const double length = square_root(dot(n_, n_));
       PairVertex& next = *point_[static_cast<std::size_t>(size_)];
       support_.guess(n_, next);
       if (verdict && support_.separates(n_, next)) return found_axis(n_);
@@ -138,7 +138,7 @@ class FastGjk {
   [[nodiscard]] double weighted() const {
     Triple v{0, 0, 0};
     for (int i = 0; i < size_; ++i) v = v + lambda(i) * point(i).w;
-    return std::sqrt(dot(v, v));
+    return square_root(dot(v, v));
   }
   // By its weights, which round with the tetrahedron's flatness.
   [[nodiscard]] bool encloses() const { return weighted() <= support_.noise(); }

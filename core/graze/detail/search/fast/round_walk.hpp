@@ -189,7 +189,7 @@ class RoundWalk {
     const Triple &w = f_[at[0]].w, &w_1 = f_[at[1]].w, &w_2 = f_[at[2]].w;
     if (size == 1) {
       const Triple m = cross(w, r_);
-      return (dot(w, r_) - std::sqrt(std::max(fl(r_sq_ * radius_ * radius_) - dot(m, m), 0.0))) / r_sq_;
+      return (dot(w, r_) - square_root(std::max(fl(r_sq_ * radius_ * radius_) - dot(m, m), 0.0))) / r_sq_;
     }
     if (size == 2) {
       // m.e / |e| is the area that r and w span across the edge.
@@ -198,14 +198,14 @@ class RoundWalk {
       if (!(rate_sq > 0x1p-60 * e_sq)) return s_low_;
       const double area = dot(w, across), middle = dot(cross(e, w), across);
       return (middle -
-              std::sqrt(std::max(fl(rate_sq * radius_ * radius_ * e_sq) - fl(e_sq * area * area), 0.0))) /
+              square_root(std::max(fl(rate_sq * radius_ * radius_ * e_sq) - fl(e_sq * area * area), 0.0))) /
              rate_sq;
     }
     Triple f = cross(w_1 - w, w_2 - w);
     if (dot(f, s_low_ * r_ - w) < 0) f = -f;
     const double rate = dot(f, r_);
     if (!(rate < 0)) return s_low_;
-    return (dot(f, w) + fl(radius_ * std::sqrt(dot(f, f)))) / rate;
+    return (dot(f, w) + fl(radius_ * square_root(dot(f, f)))) / rate;
   }
 
   // Nothing of C is beyond a ball about the middle. The path is followed from the point at which it meets that ball.
@@ -218,10 +218,10 @@ class RoundWalk {
                  all = fl((reach + radius_) * (1 + 0x1p-40)) + margin_, all_sq = all * all * r_sq_;
     if (beside_sq > all_sq) {
       out_.outcome = Outcome::miss;
-      set(-beside, std::sqrt(dot(beside, beside)), 0, {});
+      set(-beside, square_root(dot(beside, beside)), 0, {});
       return false;
     }
-    s_low_ = std::max((along - std::sqrt(std::max(all_sq - beside_sq, 0.0))) / r_sq_ - margin_, 0.0);
+    s_low_ = std::max((along - square_root(std::max(all_sq - beside_sq, 0.0))) / r_sq_ - margin_, 0.0);
     low_axis_ = s_low_ * r_ - c;
     const double ball = (fl(0.58 * reach) + radius_) * r_sq_,
                  room = std::max(fl(ball * ball) - fl(r_sq_ * beside_sq), 0.0);
@@ -245,7 +245,7 @@ class RoundWalk {
       x = s * r_;
       n = x - nearest(x, lambda);
     }
-    double length = std::sqrt(dot(n, n)), rate = dot(n, r_);
+    double length = square_root(dot(n, n)), rate = dot(n, r_);
     // Newton's steps follow if F's own point is at its border. They also correct the rounding of the closed form.
     const auto comes_in = [&] { return rate < -kComingIn * length; };
     for (int i = 0; ahead_ && i < 4 && std::abs(length - radius_) > noise_ / 32 && comes_in(); ++i) {
@@ -254,7 +254,7 @@ class RoundWalk {
       s = next;
       x = s * r_;
       n = x - nearest(x, lambda);
-      length = std::sqrt(dot(n, n));
+      length = square_root(dot(n, n));
       rate = dot(n, r_);
     }
     const double apart = length - radius_;
@@ -267,7 +267,7 @@ class RoundWalk {
     if (size_ == 3 && lambda[0] > 0 && lambda[1] > 0 && lambda[2] > 0) {
       // A face's normal is known by its edges better than by a distance.
       const Triple f = cross(f_[1].w - f_[0].w, f_[2].w - f_[0].w);
-      const double f_length = std::sqrt(dot(f, f));
+      const double f_length = square_root(dot(f, f));
       if (f_length > kLeast) n = (std::copysign(length, dot(f, n)) / f_length) * f;
       rate = dot(n, r_);
     }
@@ -302,14 +302,14 @@ class RoundWalk {
     // its border.
     const bool met = std::abs(apart) <= noise_ / 8 && s > 0 && s < s_end_ && rate < 0;
     // If only the caller's tolerance closes the bracket, the hit is accepted only if its verdict is certain.
-    const bool is_near = met && (s - s_low_) * std::sqrt(r_sq_) <= target_ && target_ > noise_ &&
+    const bool is_near = met && (s - s_low_) * square_root(r_sq_) <= target_ && target_ > noise_ &&
                          s_low_ > 2 * noise_ && s + noise_ < s_end_;
     if (met && (h - at <= noise_ / 2 * length || is_near)) {
       if (size_ == 3) correct(x - n, lambda);
       out_.outcome = Outcome::hit;
       out_.lower = is_near ? std::min(s_low_, s) : s;
       out_.upper = s;
-      out_.normal = is_near ? (1 / std::sqrt(dot(low_axis_, low_axis_))) * low_axis_ : (1 / length) * n;
+      out_.normal = is_near ? (1 / square_root(dot(low_axis_, low_axis_))) * low_axis_ : (1 / length) * n;
       set(n, length, h - ball, lambda);
       return true;
     }

@@ -18,7 +18,7 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 template <Scalar S>
 [[nodiscard]] double swept_reach(const PreparedPair<S>& pair, double horizon) {
   const Triple& r = pair.direction();
-  return std::min(horizon, 2 * pair.extent() / std::sqrt(dot(r, r)));
+  return std::min(horizon, 2 * pair.extent() / square_root(dot(r, r)));
 }
 
 // kBoth: each support is searched twice, for C and for C moved, as the lecture's slow version has it.

@@ -62,7 +62,7 @@ bool closes_in_hand(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& limi
     // |ahead r - v| = R, by twice the areas that v spans with r: nothing cancels at a graze.
     const S along = dot(v, r), off = squared_norm(cross(v, r)), inner = R - limits.noise;
     if (along > 0 && inner > 0 && off < speed * speed * inner * inner)
-      ahead = (along - std::sqrt(fl(speed * speed * R * R) - off)) / (speed * speed);
+      ahead = (along - square_root(fl(speed * speed * R * R) - off)) / (speed * speed);
   } else if (simplex.size == 3) {
     S sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -176,7 +176,7 @@ Sweep<S> gjk_ray_cast(const Cso<S>& cso, const SweepLimits<S>& limits, S s_begin
     const Closest<S> closest = closest_to_origin(simplex, x);
     ++counters.gjk_iterations;
     reduce(simplex, closest);
-    const S distance = std::sqrt(closest.dist_sq);
+    const S distance = square_root(closest.dist_sq);
     apart = distance - R;
     if (apart <= limits.fine() || simplex.size == 4 || closest.n == Vec3<S>::Zero()) break;
     if (closes_in_hand(out, cso, limits, apart)) return out;

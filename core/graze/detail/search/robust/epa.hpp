@@ -91,7 +91,7 @@ class EpaPolytope {
     Simplex<S> corners;
     const Closest<S> closest = triangle(f, corners);
     face_[f].settled = true;
-    face_[f].d = std::sqrt(closest.dist_sq);
+    face_[f].d = square_root(closest.dist_sq);
     if (face_[f].d > 0) face_[f].n = unit(closest.v);
     enqueue(static_cast<std::uint32_t>(f));
   }
@@ -342,7 +342,7 @@ Epa<S> epa(const Support& given, const Simplex<S>& around, S known, S gap, S loo
     const Vec3<S> e1 = around.point[1].w - around.point[0].w, e2 = around.point[2].w - around.point[0].w,
                   e3 = around.point[3].w - around.point[0].w;
     const S size = std::max({squared_norm(e1), squared_norm(e2), squared_norm(e3)});
-    begun = std::abs(dot(cross(e1, e2), e3)) > size * std::sqrt(size) / 16 && size > scale * scale / 4096 &&
+    begun = std::abs(dot(cross(e1, e2), e3)) > size * square_root(size) / 16 && size > scale * scale / 4096 &&
             P.start(around.point);
   }
   if (!begun) {

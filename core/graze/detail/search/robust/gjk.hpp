@@ -36,7 +36,7 @@ Distance<S> gjk_distance(const Support& support, const Vec3<S>& x, const Vec3<S>
   while (true) {
     const Closest<S> closest = closest_to_origin(simplex, x);
     ++counters.gjk_iterations;
-    const S upper = std::sqrt(closest.dist_sq);
+    const S upper = square_root(closest.dist_sq);
     // NaN, or no nearer: the last bracket stands, with the simplex that gave it: the rejected point goes.
     if (!(upper < out.upper)) {
       if (simplex.size > 1) --simplex.size;

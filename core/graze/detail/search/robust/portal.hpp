@@ -122,7 +122,7 @@ std::size_t corner_beyond(const Portal<S>& portal) {
 template <Scalar S>
 S length_across(S x, S y) {
   const double a = static_cast<double>(x), b = static_cast<double>(y);
-  return static_cast<S>(std::sqrt(fl(a * a) + fl(b * b)));
+  return static_cast<S>(square_root(fl(a * a) + fl(b * b)));
 }
 
 // sum lambda q: the portal's own point.
@@ -192,7 +192,7 @@ bool has_area(const PortalPoint<S>& a, const PortalPoint<S>& b, const PortalPoin
   const Vec3<S> e = b.q - a.q, f = c.q - a.q, g = c.q - b.q;
   const S longest_sq = std::max({squared_norm(e.template head<2>()), squared_norm(f.template head<2>()),
                                  squared_norm(g.template head<2>())});
-  return std::abs(cross2(e, f)) > rounding * std::sqrt(longest_sq);
+  return std::abs(cross2(e, f)) > rounding * square_root(longest_sq);
 }
 
 // Unit, n_z <= 0.
@@ -205,7 +205,7 @@ Vec3<S> portal_normal(const Portal<S>& portal) {
     n = -face_normal(p[0].q, p[1].q, p[2].q);
   } else if (portal.size == 2) {
     // In the plane of the edge and the line.
-    const S across = std::sqrt(fl(e[0] * e[0]) + fl(e[1] * e[1]));
+    const S across = square_root(fl(e[0] * e[0]) + fl(e[1] * e[1]));
     if (across > 0) n = Vec3<S>(e[0] * e[2] / across, e[1] * e[2] / across, -across);
   }
   return unit(n);

@@ -40,7 +40,7 @@ void go_on(Distance<S>& d, const Support& support, Simplex<S>& contact, S noise,
   for (int round = 0; round < kRounds && closest.n != origin && simplex.size < 4; ++round) {
     const CsoPoint<S> next = support(closest.n);
     ++counters.supports;
-    const S upper = std::sqrt(closest.dist_sq), lower = -dot(closest.n, next.w);
+    const S upper = square_root(closest.dist_sq), lower = -dot(closest.n, next.w);
     const bool proves_more = lower > d.lower;
     if (upper < d.upper || (proves_more && upper <= d.upper + noise)) contact = simplex;
     d.upper = std::min(d.upper, upper);
@@ -52,8 +52,8 @@ void go_on(Distance<S>& d, const Support& support, Simplex<S>& contact, S noise,
     simplex.add(next);
     closest = closest_to_origin(simplex, origin);
     ++counters.gjk_iterations;
-    if (!(std::sqrt(closest.dist_sq) < upper)) closest = closest_with_newest(simplex);
-    if (!(std::sqrt(closest.dist_sq) <= d.upper + noise)) return;
+    if (!(square_root(closest.dist_sq) < upper)) closest = closest_with_newest(simplex);
+    if (!(square_root(closest.dist_sq) <= d.upper + noise)) return;
     reduce(simplex, closest);
   }
 }
@@ -109,7 +109,7 @@ void turn_axis(Distance<S>& d, const Support& support, Simplex<S>& contact, S no
       kept_last = next_last;
     }
     reduce(simplex, kept);
-    const S upper = std::sqrt(kept.dist_sq);
+    const S upper = square_root(kept.dist_sq);
     if (upper < d.upper || (proves_more && upper <= d.upper + noise)) contact = simplex;
     d.upper = std::min(d.upper, upper);
     if (d.upper - d.lower <= noise) break;

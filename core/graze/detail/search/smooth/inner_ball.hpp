@@ -45,7 +45,7 @@ inline double falls_below(double a, double b, double c, double noise, double siz
   if (b <= noise && a >= -kInnerBallRounding) return kInfinity<double>;
   const double under = fl(b * b) - fl(a * c);
   if (under < 0) return kInfinity<double>;
-  const double sum = b + std::sqrt(under);
+  const double sum = b + square_root(under);
   return sum > 0 ? std::max(c, 0.0) / sum : kInfinity<double>;
 }
 

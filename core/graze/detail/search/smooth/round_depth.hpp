@@ -171,7 +171,7 @@ class RoundDepth : public RoundSlopes {
         const Vec in = alpha * s.a + beta * o.a;
         const double rest = (1 - squared_norm(in)) / sin_sq;
         if (!(rest >= 0)) continue;
-        const double g = std::sqrt(rest);
+        const double g = square_root(rest);
         for (const double sign : {1.0, -1.0}) offer(unit(Vec(in + sign * g * e)), i, j);
       }
     }
@@ -199,8 +199,8 @@ class RoundDepth : public RoundSlopes {
   bool look(const Chart& c, Cell& box) {
     Place<double>& mid = box.mid;
     mid = {box.c0 + box.c1, box.s0 + box.s1, box.x0 + box.x1, box.y0 + box.y1};
-    const double k = 1 / std::sqrt(fl(mid.c * mid.c) + fl(mid.s * mid.s)),
-                 l = 1 / std::sqrt(fl(mid.x * mid.x) + fl(mid.y * mid.y));
+    const double k = 1 / square_root(fl(mid.c * mid.c) + fl(mid.s * mid.s)),
+                 l = 1 / square_root(fl(mid.x * mid.x) + fl(mid.y * mid.y));
     mid.c *= k;
     mid.s *= k;
     mid.x *= l;
@@ -213,7 +213,7 @@ class RoundDepth : public RoundSlopes {
     take({.n = n, .h = h, .seams = {c.owner, -1}});
     // No farther from the middle than rho.
     box.rho = box.a + fl(std::max(std::max(box.c0, box.c1), mid.c) * box.b);
-    const double across = std::sqrt(std::max(0.0, squared_norm(w) - fl(h * h)));
+    const double across = square_root(std::max(0.0, squared_norm(w) - fl(h * h)));
     // The range of w.n, over angles below a right one.
     if (box.rho < 1.5) {
       const SineCosine<double> at = rounded_sine_cosine(box.rho);
@@ -238,7 +238,7 @@ class RoundDepth : public RoundSlopes {
       const double chord = norm(n - cap.n);  // <= angle
       if (!(chord < 1.9)) continue;
       // The angle of the chord and rho add up to less than the cap's: by the tangents of their halves.
-      const double half = chord / std::sqrt(4 - fl(chord * chord)), more = turn.sine / (1 + turn.cosine);
+      const double half = chord / square_root(4 - fl(chord * chord)), more = turn.sine / (1 + turn.cosine);
       if (half + more < cap.half_tangent * (1 - fl(half * more))) return true;
     }
     const Place<Interval> z =
@@ -263,8 +263,8 @@ class RoundDepth : public RoundSlopes {
                          fl(square(z.c) * (Interval(f.m) + (fl(f.d * cos2p) + fl(f.p12 * sin2p)))) +
                          2 * ((z.s * z.c) * (fl(f.p13 * z.x) + fl(f.p23 * z.y)));
       const double predicate_error = 16 * kU * f.most * f.most;
-      value.lo = std::max(value.lo, std::sqrt(std::max(q.lo - predicate_error, 0.0)));
-      value.hi = std::min(value.hi, std::sqrt(q.hi + predicate_error));
+      value.lo = std::max(value.lo, square_root(std::max(q.lo - predicate_error, 0.0)));
+      value.hi = std::min(value.hi, square_root(q.hi + predicate_error));
       const double top = f.most, c_top = std::max(std::abs(z.c.lo), std::abs(z.c.hi));
       if (value.lo > 64 * kU * top) {
         const Interval inverse{1 / value.hi, 1 / value.lo};
@@ -366,8 +366,8 @@ class RoundDepth : public RoundSlopes {
         double lost = 0;
         if (mixed > 0) {
           if (h_t > 0 && h_t * h_p >= mixed * mixed) {
-            const double part = h_p > 0 ? mixed * std::sqrt(h_t / h_p) : 0;
-            h_p -= h_p > 0 ? mixed * std::sqrt(h_p / h_t) : 0;
+            const double part = h_p > 0 ? mixed * square_root(h_t / h_p) : 0;
+            h_p -= h_p > 0 ? mixed * square_root(h_p / h_t) : 0;
             h_t -= part;
           } else {
             lost = mixed * std::max(-lo_t, hi_t) * std::max(-lo_p, hi_p);
