@@ -630,7 +630,7 @@ void run_rotating(const Asked& asked) {
   const std::vector<Measurement> measurements =
       measure_all(rotating_families(asked.size), field, asked, {.shuffled = true, .tail = false});
   if (asked.csv) return print_csv("rotation", field, measurements);
-  fmt::print("\n---- bodies that turn: time, normal, witnesses; shuffled\n");
+  fmt::print("\n---- rotating bodies: time, normal, witnesses; shuffled\n");
   print_table("ns a cast", field, measurements,
               [](const Measured& m) { return fmt::format("{:.0f}", m.ns()); });
   print_ratios(kRival, field, measurements);
@@ -669,7 +669,7 @@ void run_growth(const Asked& asked) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("What a cast costs, beside Bullet's.");
+  CLI::App app("Measures what a cast costs, beside Bullet's.");
   Asked asked;
   app.add_option("--cases", asked.size.cases,
                  "cases of each family, half of them hits where not all are one kind");

@@ -329,7 +329,8 @@ void run_all(const Asked& asked) {
 
 int run(int argc, char** argv) {
   CLI::App app(
-      "What overlap, distance and penetration of two hulls at rest cost, beside Bullet's and libccd's.");
+      "Measures what overlap, distance and penetration of two hulls at rest cost, beside Bullet's and "
+      "libccd's.");
   Asked asked;
   app.add_option("--rounds", asked.rounds, "rounds that the median is taken over")
       ->check(CLI::PositiveNumber);

@@ -176,7 +176,7 @@ void print_plan_table(std::size_t pairs, Rounds& rounds) {
 }
 
 void print_request_table(std::size_t pairs, Rounds& rounds) {
-  fmt::print("\n### What is asked for\n\n");
+  fmt::print("\n### Cost of each request\n\n");
   print_head({"pairs", "cast", "verdict, us", "+ normal", "+ witnesses", "+ both", "+ proof", "all"});
   constexpr Request kRequests[] = {Request::verdict,   Request::normal,
                                    Request::witnesses, Request::normal | Request::witnesses,
@@ -279,8 +279,10 @@ void print_method_tables(std::size_t pairs, Rounds& rounds) {
     return fmt::format("{} / {}", number(m.mean(&Counters::supports)), number(m.mean(&Counters::poses)));
   });
   print_table(
-      fmt::format("Of {} pairs, verdicts that are wrong, or open; how late the latest hit was, of the step.",
-                  pairs)
+      fmt::format(
+          "Among {} pairs: verdicts that are wrong, or open, and how late the latest hit was, as a part of "
+          "the step.",
+          pairs)
           .c_str(),
       [&](std::size_t s, std::size_t i) {
         return text_of(mistakes(scenes[s], measured[s][i], measured[s][kCertified]));
@@ -327,11 +329,11 @@ void print_accuracy(std::size_t pairs, Rounds& rounds) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("What a rotating cast costs: tables in markdown.");
+  CLI::App app("Measures what a rotating cast costs: tables in markdown.");
   int rounds = 15;
   std::size_t pairs = 32;
   std::string only;
-  app.add_option("--pairs", pairs, "pairs of each scene; of the plan and the requests four times as many")
+  app.add_option("--pairs", pairs, "pairs of each scene (four times as many for the plan and the requests)")
       ->check(CLI::Range(4, 1 << 20));
   app.add_option("--rounds", rounds, "rounds that the median is taken over")->check(CLI::PositiveNumber);
   app.add_option("--only", only, "one part of the report")

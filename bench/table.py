@@ -19,7 +19,7 @@ OVERLAP = {"columns": ("graze mpr", "graze mpr prepared"), "rival": "libccd MPR"
 DISTANCE = {"columns": ("graze", "graze prepared"), "rival": "Bullet", "goals": {"": (0.5, 0.5)}}
 PENETRATION = {"columns": ("graze", "graze prepared"), "rival": "Bullet EPA", "goals": {"": (0.5, 0.5)}}
 TABLES = (
-    ("rotation", "Bodies that turn, over Bullet's continuous collision", ("standard", "certified"), ROTATING),
+    ("rotation", "Rotating bodies, over Bullet's continuous collision", ("standard", "certified"), ROTATING),
     ("curved", "Curved casts, over Bullet's subsimplex cast", ("standard", "certified"), CURVED),
     ("distance", "Distance, over Bullet's pair detector", ("as they come", "prepared"), DISTANCE),
     ("penetration", "Penetration, over Bullet's pair detector with EPA", ("as they come", "prepared"), PENETRATION),

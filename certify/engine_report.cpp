@@ -182,15 +182,17 @@ std::string certificates(const Certification& certification, const Settings& set
   std::string out =
       table_of(totals) +
       "least: the limit with which every verdict and time would have passed, in units of u scale, over "
-      "scale, and "
-      "as a\nlength of the cases. held to: what it declares, or the command line says, or 0.001 of scale; "
-      "with "
-      "--measure\nonly failures count as faults. not asked: what it does not take; declined: what it takes "
-      "and "
-      "answers\nwith unsupported (docs/reference/protocol.md).\n";
+      "scale, and as a\n"
+      "length of the cases. held to: the bound that it declares, or of the command line, or 0.001 of "
+      "scale. With --measure\n"
+      "only failures count as faults. not asked: questions that it does not support. declined: questions "
+      "that it supports\n"
+      "and answers with unsupported (docs/reference/protocol.md).\n";
   if (!beyond.empty())
-    out += "\nBeyond the limits that they document, no part of the above, and held against no engine:\n" +
-           table_of(beyond);
+    out +=
+        "\nBeyond the documented limits of the engines (not part of the above, and not counted as "
+        "faults):\n" +
+        table_of(beyond);
   return out;
 }
 

@@ -204,10 +204,11 @@ std::string other_law_table(const LawCertification& certification, const LawSett
   }
   std::string text =
       table.text() +
-      "not asked: a question of the law is none that the engine takes, or it failed on this case "
-      "before. not for the law:\nthe law does not speak of the case, or its oracle leaves it open. "
-      "failed: crashed, hung, or wrote what is no answer.\n";
-  if (count > 0) text += fmt::format("{} laws are not asked of engines of others:\n", count);
+      "not asked: the engine does not support a question of the law, or failed on this case before. not "
+      "for the law:\n"
+      "the law does not apply to the case, or its oracle leaves it open. failed: crashed, hung, or wrote "
+      "no valid answer.\n";
+  if (count > 0) text += fmt::format("{} laws do not apply to third-party engines:\n", count);
   for (const auto& [why, names] : left_out) text += fmt::format("  {}: {}\n", why, fmt::join(names, ", "));
   return text;
 }

@@ -17,9 +17,9 @@ using engine::Kind;
 using engine::Method;
 
 constexpr std::string_view kBudget = "the protocol has no budget, tolerance or part of an answer to ask for",
-                           kBits = "it holds to the last bit, which nobody promised",
-                           kTier = "it is about our tiers", kScalars = "an engine of others has one scalar",
-                           kRead = "whoever reads an answer of the protocol looks at that",
+                           kBits = "it holds to the last bit, which no engine guarantees",
+                           kTier = "it is about our tiers", kScalars = "a third-party engine has one scalar",
+                           kRead = "reading an answer of the protocol already checks this",
                            kDoor = "the protocol cannot write what must be refused",
                            kOurs = "it asks other queries, of our methods",
                            kAll = "it needs more of an answer than the protocol's hold",
@@ -173,7 +173,7 @@ Answer answer_to_laws(const Method& method, const Case& seen, const engine::Ask&
     return no_answer();
   }
   if (answer.declined) {
-    return decline(answer.message.empty() ? "it says that the question is none for it" : answer.message);
+    return decline(answer.message.empty() ? "it says that it does not support the question" : answer.message);
   }
   // For queries: an answer without the value that the law is about. A distance that was not given reads as 0.
   const bool lacks_distance = method.query == corpus::Query::distance && answer.outcome == Outcome::miss &&

@@ -46,7 +46,7 @@ void add_heading(Table& table, Kind kind) {
   std::vector<std::string> cells(10);
   cells.front() = kind == Kind::linear  ? "casts"
                   : kind == Kind::query ? "queries"
-                                        : "casts of turning bodies";
+                                        : "casts of rotating bodies";
   table.add_row(std::move(cells));
 }
 
@@ -341,35 +341,35 @@ std::string rotating_table(const Certification& certification) {
 }
 
 constexpr const char* kLinearWords =
-    "wrong, late, early, off, contact off: by more than the limit of the method's guarantee, in the case as "
-    "the\n"
-    "method's scalar sees it. within tolerance: a wrong verdict within it. Errors are over scale, of the\n"
-    "bracket's worse end, on the cases by oracle; true in.: the backward error of a float answer against the "
-    "input before\n"
-    "rounding to float.\n"
-    "Tier certified: a verdict that is not the true one and a bracket that does not hold the TOI are wrong, "
-    "late\n"
-    "or early, by anything at all; off: an end farther from contact than the width; not converged: what was "
-    "left\n"
-    "open though clearance or depth exceeds that width, within tolerance: what was left open below it.\n"
-    "Tier exact (kappa 0): a verdict or a bound that is not the exact one, by its last bit, is wrong; not "
-    "asked:\n"
-    "cases that are not for the tier, and that it refuses.\n"
+    "wrong, late, early, off, contact off: by more than the limit of the method's guarantee, in the case "
+    "as the\n"
+    "method's scalar sees it. within tolerance: a wrong verdict within that limit. Errors are those of the "
+    "bracket's\n"
+    "worse end, over scale, on the cases by oracle. true in.: the backward error of a float answer against "
+    "the input\n"
+    "before rounding to float.\n"
+    "Tier certified: a verdict that is not the true one and a bracket that does not hold the TOI are "
+    "wrong, late\n"
+    "or early, however small the error. off: an end farther from contact than the width. not converged: "
+    "left open\n"
+    "although clearance or depth exceeds that width. within tolerance: left open below it.\n"
+    "Tier exact (kappa 0): a verdict or a bound that differs from the exact one in its last bit is wrong. "
+    "not asked:\n"
+    "cases that the tier does not support, and refuses.\n"
     "median ns: one cast with normal and witnesses, shapes built beforehand.\n";
 
 constexpr const char* kRotatingWords =
     "wrong, late, early (contact claimed where there is none yet), off: by more than kappa u scale of the "
     "method's\n"
-    "row; in tier certified wrong, late and early by anything at all, off and not converged by more than the "
-    "row's\n"
-    "width. within tolerance: decided by less than that. hidden: a contact missed or passed that the row "
-    "says may "
-    "be.\n"
-    "oracle open: the oracle decides no verdict: clearance and depth below its own width. width: of a hit, "
-    "the\n"
-    "larger of the distance at toi_lower and the depth before toi_upper; passed: how deep a contact was that "
-    "a\n"
-    "miss denied or toi_lower had passed; over scale.\n";
+    "guarantee. In tier certified, wrong, late and early count however small the error, and off and not "
+    "converged count\n"
+    "beyond the guaranteed width. within tolerance: decided by less than that. hidden: a contact missed or "
+    "passed that\n"
+    "the guarantee allows to be. oracle open: the oracle decides no verdict, since clearance and depth are "
+    "below its own\n"
+    "width. width: for a hit, the larger of the distance at toi_lower and the depth before toi_upper. "
+    "passed: the depth\n"
+    "of a contact that a miss denied or toi_lower had passed. Both are over scale.\n";
 
 bool has_kind(const Settings& settings, const Certification& certification, Kind kind) {
   return std::any_of(settings.methods.begin(), settings.methods.end(),
@@ -523,9 +523,9 @@ std::string full_tables(const Certification& certification, const Settings& sett
   }
   if (has_kind(settings, certification, Kind::query)) {
     text += fmt::format(
-        "Queries beside the cast: as they are asked, and on the bodies of the casts where the exact oracles "
-        "know "
-        "them; and their rows\n\n{}\n",
+        "Queries beside the cast: as they are asked, and on the bodies of the casts where the exact "
+        "oracles know them, and their guarantees\n\n"
+        "{}\n",
         query_table(certification, settings));
   }
   if (has_kind(settings, certification, Kind::rotating)) {

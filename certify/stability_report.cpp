@@ -104,7 +104,7 @@ std::string family_line(const FamilyStability& family) {
     text += fmt::format(", {} u scale at most ({}, {}, hardness {})", in_u(most, 1), worst_curve->method,
                         shapes_text(*worst_curve), hardness_text(worst_curve->hardest()));
   }
-  text += fmt::format(", {} beyond a row, {}", faults, counted(stalls, "stall"));
+  text += fmt::format(", {} beyond a guarantee, {}", faults, counted(stalls, "stall"));
   for (const FamilyStability::Skipped& one : family.skipped)
     text += fmt::format("; {} are not asked of {}", one.cases, one.method);
   for (const Curve& curve : family.curves) {
@@ -264,7 +264,7 @@ std::vector<std::string> breaches(const std::vector<Curve>& curves) {
     const std::string where =
         fmt::format("{} in {}, {}", curve->row->name(), curve->family, shapes_text(*curve));
     if (sum.faulty > 0) {
-      lines.push_back(fmt::format("{}: {} of {} beyond the row; the first is {}", where, sum.faulty,
+      lines.push_back(fmt::format("{}: {} of {} beyond the guarantee; the first is {}", where, sum.faulty,
                                   sum.cases, curve->first_fault));
     } else {
       lines.push_back(fmt::format("{}: {} of {} not converged, above the cap of {}", where, sum.stalled,

@@ -70,9 +70,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "  graze certify               judges our methods on the hard cases and families that are built in\n"
-      "  graze cast pair.json        answers a case of your own; docs/reference/case-format.md says how to "
-      "write "
-      "one\n"
+      "  graze cast pair.json        answers a case of your own (docs/reference/case-format.md says how to "
+      "write one)\n"
       "  graze COMMAND --help        says more about each command\n\n"
       "Exit codes: 0; 1 if something judged was found wanting; 2 for bad input and for output that cannot "
       "be\n"

@@ -71,7 +71,8 @@ AnswerWords words_of(const engine::Answer& answer) {
 std::string CampaignCast::reason() const {
   if (judgement.faulty()) return judgement.told_fault();
   if (!judgement.undecided.empty()) return judgement.undecided;
-  return answer.outcome == Outcome::not_converged ? "did not converge" : "stalled with a wide bracket";
+  return answer.outcome == Outcome::not_converged ? "did not converge"
+                                                  : "did not converge, with a wide bracket";
 }
 
 corpus::Case question_of(Kind kind, corpus::Query query, const DrawnCase& drawn) {

@@ -31,7 +31,7 @@ std::string difference(const PartSettings& here, const PartSettings& there) {
   if (here.oracle_every != there.oracle_every)
     return say("oracle-every", here.oracle_every, there.oracle_every);
   if (here.judge_every != there.judge_every) return say("judge-every", here.judge_every, there.judge_every);
-  if (here.others != there.others) return "the engines of others are not the same, or held to something else";
+  if (here.others != there.others) return "the third-party engines are not the same, or their bounds differ";
   if (here.families != there.families)
     return say("the list of families", list(here.families), list(there.families));
   return {};

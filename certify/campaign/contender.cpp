@@ -41,7 +41,7 @@ std::string no_method(Kind kind, const std::string& name) {
   }
   const char* what = kind == Kind::linear  ? "linear casts"
                      : kind == Kind::query ? "queries"
-                                           : "casts of turning bodies";
+                                           : "casts of rotating bodies";
   return fmt::format(
       "--method: {} is no method for {}; it is {}, one of them with its scalar (mpr/float), or standard",
       name, what, fmt::join(known, ", "));

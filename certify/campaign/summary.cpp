@@ -205,8 +205,8 @@ void family_failures(std::vector<std::string>& lines, const CampaignState& state
                                 kinds_of(counts)));
   }
   if (static_cast<double>(counts.stalls) > cap * static_cast<double>(counts.casts)) {
-    lines.push_back(fmt::format("{}: {} of {} casts stall, and the row allows {}", where, counts.stalls,
-                                counts.casts, cap));
+    lines.push_back(fmt::format("{}: {} of {} casts did not converge, and the guarantee allows {}", where,
+                                counts.stalls, counts.casts, cap));
     return;
   }
   // A mechanism that needs a greater cap affects single levels, while the guarantee is about the family.
@@ -216,8 +216,8 @@ void family_failures(std::vector<std::string>& lines, const CampaignState& state
     const CampaignCounts& level = state.tally.counts[i];
     if (cell.method != method || cell.family != family) continue;
     if (static_cast<double>(level.stalls) <= std::ceil(cap * static_cast<double>(level.casts))) continue;
-    lines.push_back(fmt::format("{} h{}: {} of {} casts stall, and the row allows {}", where, cell.level,
-                                level.stalls, level.casts, cap));
+    lines.push_back(fmt::format("{} h{}: {} of {} casts did not converge, and the guarantee allows {}", where,
+                                cell.level, level.stalls, level.casts, cap));
   }
 }
 
@@ -299,18 +299,17 @@ std::string campaign_summary(const CampaignState& state, bool levels) {
   const std::vector<std::string> failures = campaign_failures(state);
   for (const std::string& line : failures) text += "FAILED: " + line + "\n";
   if (total.undecided > 0) {
-    text +=
-        fmt::format("The oracle was asked about {} answers and left {} undecided: they agree with nothing.\n",
-                    total.by_oracle, total.undecided);
+    text += fmt::format("The oracle judged {} answers and left {} undecided: these agree with nothing.\n",
+                        total.by_oracle, total.undecided);
   }
   if (total.faults == 0 && total.stalls == 0 && total.casts > total.undecided) {
     text +=
         fmt::format("None of {} failed: the rate of failures on such cases is below 3/n = {:.2g} at 95 %.\n",
                     total.casts - total.undecided, 3.0 / static_cast<double>(total.casts - total.undecided));
   } else if (failures.empty()) {
-    text += fmt::format("{}: {} stalls in {} casts.\n",
-                        named ? "Every method keeps its row" : "The method keeps its row", total.stalls,
-                        total.casts);
+    text += fmt::format("{}: {} of {} casts did not converge.\n",
+                        named ? "Every method keeps its guarantee" : "The method keeps its guarantee",
+                        total.stalls, total.casts);
   }
   return text;
 }

@@ -67,19 +67,19 @@ inline constexpr int kPlanReasons = 8;
     case PlanReason::nothing_moves:
       return "nothing moves";
     case PlanReason::no_rotation:
-      return "neither body turns";
+      return "neither body rotates";
     case PlanReason::unseen_spin_a:
-      return "A's turn cannot be seen";
+      return "A's rotation cannot be seen";
     case PlanReason::unseen_spin_b:
-      return "B's turn cannot be seen";
+      return "B's rotation cannot be seen";
     case PlanReason::as_one:
-      return "both bodies turn as one";
+      return "both bodies rotate as one";
     case PlanReason::bounds_never_meet:
       return "the bounds never meet";
     case PlanReason::rotation_a:
-      return "A's turn can be seen";
+      return "A's rotation can be seen";
     case PlanReason::rotation_b:
-      return "B's turn can be seen";
+      return "B's rotation can be seen";
   }
   return {};
 }

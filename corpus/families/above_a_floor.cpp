@@ -62,7 +62,7 @@ constexpr double kAboveAFloorLevels[] = {2, 3, 4, 5, 6, 7};
 
 const Family family::above_a_floor{
     .name = "above_a_floor",
-    .sentence = "A body that turns starts a little above a floor, and stays above it, rises or falls.",
+    .sentence = "A rotating body starts a little above a floor, and stays above it, rises or falls.",
     .hardness_meaning = "k: it starts about 10^-k above the floor, for shapes of size 4",
     .levels = kAboveAFloorLevels,
     .fill = fill_above_a_floor,

@@ -74,7 +74,7 @@ constexpr double kBothTurnLevels[] = {0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40};
 
 const Family family::both_turn{
     .name = "both_turn",
-    .sentence = "Both bodies turn, nearly as one.",
+    .sentence = "Both bodies rotate, nearly as one.",
     .hardness_meaning = "k: the angular velocities differ by at most 2^-k along each axis",
     .levels = kBothTurnLevels,
     .fill = fill_both_turn,

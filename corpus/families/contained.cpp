@@ -115,7 +115,7 @@ constexpr double kContainedLevels[] = {1, 2, 4, 6, 8, 10, 12, 14, 16, 17};  // 1
 const Family family::contained{
     .name = "contained",
     .sentence = "One body within the other, or on its way to the other's middle.",
-    .hardness_meaning = "k: the centres meet but for 10^-k of a size of 4 along an axis; 17 is concentric",
+    .hardness_meaning = "k: the centres are 10^-k of a size of 4 apart along an axis; 17 is concentric",
     .levels = kContainedLevels,
     .fill = fill_contained,
     .picture = {2, 5},

@@ -161,7 +161,7 @@ constexpr double kFarOwnFrameTurningLevels[] = {10, 13, 16, 19, 22, 25, 28, 31, 
 
 const Family family::far_own_frame_turning{
     .name = "far_own_frame_turning",
-    .sentence = "Bodies that lie far out in their own frames meet near the origin, turning.",
+    .sentence = "Rotating bodies that lie far out in their own frames meet near the origin.",
     .hardness_meaning = "k: they are about 2^k out, for shapes of size 4",
     .levels = kFarOwnFrameTurningLevels,
     .fill = fill_far_own_frame_turning,

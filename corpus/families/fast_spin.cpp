@@ -44,8 +44,8 @@ constexpr double kFastSpinLevels[] = {4, 5, 6, 7, 8, 9, 10, 11, 12};
 
 const Family family::fast_spin{
     .name = "fast_spin",
-    .sentence = "A body turns many times while another passes.",
-    .hardness_meaning = "k: it turns by up to 2^k radians a unit of time, or by a few turns more",
+    .sentence = "A body rotates many times while another passes.",
+    .hardness_meaning = "k: it rotates by up to 2^k radians a unit of time, or by a few turns more",
     .levels = kFastSpinLevels,
     .fill = fill_fast_spin,
     .rotating = true,

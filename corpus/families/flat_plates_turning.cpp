@@ -90,7 +90,7 @@ constexpr double kFlatPlatesTurningLevels[] = {1, 2, 4, 6, 8, 12, 16, 17};  // 1
 
 const Family family::flat_plates_turning{
     .name = "flat_plates_turning",
-    .sentence = "A point or a small body is shot through a turning plate that has no thickness.",
+    .sentence = "A point or a small body is shot through a rotating plate that has no thickness.",
     .hardness_meaning = "k: the small body is 10^-k in size; 17 is a point",
     .levels = kFlatPlatesTurningLevels,
     .fill = fill_flat_plates_turning,

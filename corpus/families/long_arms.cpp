@@ -189,7 +189,7 @@ constexpr double kLongArmsLevels[] = {0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40};
 
 const Family family::long_arms{
     .name = "long_arms",
-    .sentence = "Both bodies, on arms far longer than they are, turn as one but for the last digits.",
+    .sentence = "Both bodies, on arms far longer than they are, rotate as one except in the last digits.",
     .hardness_meaning = "k: the arms are about 2^k, for shapes of size 4",
     .levels = kLongArmsLevels,
     .fill = fill_long_arms,

@@ -40,7 +40,7 @@ constexpr double kOffCentrePivotLevels[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 10};
 
 const Family family::off_centre_pivot{
     .name = "off_centre_pivot",
-    .sentence = "A body turns about a point far outside.",
+    .sentence = "A body rotates about a point far outside.",
     .hardness_meaning = "k: the pivot is 2^k sizes of 4 from the body's origin",
     .levels = kOffCentrePivotLevels,
     .fill = fill_off_centre_pivot,

@@ -106,7 +106,7 @@ constexpr double kParallelCapsLevels[] = {4, 5, 6, 7, 8, 9};
 
 const Family family::parallel_caps{
     .name = "parallel_caps",
-    .sentence = "Prisms of many corners meet cap on cap, parallel but for the last bits.",
+    .sentence = "Prisms of many corners meet cap on cap, parallel except in the last bits.",
     .hardness_meaning = "k: the larger prism has 2^k vertices",
     .levels = kParallelCapsLevels,
     .fill = fill_parallel_caps,

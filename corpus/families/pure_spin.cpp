@@ -112,7 +112,7 @@ constexpr double kPureSpinLevels[] = {4, 8, 12, 16, 20, 24, 28, 32, 36, 40};
 
 const Family family::pure_spin{
     .name = "pure_spin",
-    .sentence = "No linear motion: a body meets the other by turning alone.",
+    .sentence = "No linear motion: a body meets the other by rotation alone.",
     .hardness_meaning = "k: the clearance is 2^-k, or the depth at most that, for an arm of 5 to 160",
     .levels = kPureSpinLevels,
     .fill = fill_pure_spin,

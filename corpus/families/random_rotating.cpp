@@ -41,7 +41,7 @@ constexpr double kRandomRotatingLevels[] = {0, 1, 2, 3};
 
 const Family family::random_rotating{
     .name = "random_rotating",
-    .sentence = "Any two shapes, turning and moving at moderate speed.",
+    .sentence = "Any two shapes, rotating and moving at moderate speed.",
     .hardness_meaning = "how deep the combinators of one body are nested; 0 for none",
     .levels = kRandomRotatingLevels,
     .fill = fill_random_rotating,

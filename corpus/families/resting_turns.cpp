@@ -100,7 +100,8 @@ const Family family::resting_turns{
     .name = "resting_turns",
     .sentence =
         "Bodies that start in contact and rotate: they spin on it, tip about it, lift off it and land.",
-    .hardness_meaning = "k: the part of the rotation in the plane of contact is 10^-k of it; 17 is none",
+    .hardness_meaning =
+        "k: the part of the rotation in the plane of contact is 10^-k of it; 17 has no such part",
     .levels = kRestingTurnsLevels,
     .fill = fill_resting_turns,
     .rotating = true,

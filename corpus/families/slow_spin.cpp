@@ -51,8 +51,8 @@ constexpr double kSlowSpinLevels[] = {0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40};
 
 const Family family::slow_spin{
     .name = "slow_spin",
-    .sentence = "A turn too small to matter, unless the path grazes.",
-    .hardness_meaning = "k: the turn is 2^-k radians over the step",
+    .sentence = "A rotation too small to matter, unless the path grazes.",
+    .hardness_meaning = "k: the rotation is 2^-k radians over the step",
     .levels = kSlowSpinLevels,
     .fill = fill_slow_spin,
     .rotating = true,

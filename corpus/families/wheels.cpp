@@ -102,7 +102,7 @@ constexpr double kWheelsLevels[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
 const Family family::wheels{
     .name = "wheels",
     .sentence = "A wheel with corners, or a cylinder, spins fast within a rounding of the floor.",
-    .hardness_meaning = "k: the wheel turns by about 2^k radians a unit of time",
+    .hardness_meaning = "k: the wheel rotates by about 2^k radians a unit of time",
     .levels = kWheelsLevels,
     .fill = fill_wheels,
     .rotating = true,

@@ -2,7 +2,7 @@
 """Judges the engines of the zoo, and ours beside them, on the same families, and prints how they compare.
 
   ./run zoo                 all that are installed, a minute or two for each; what is judged is kept, and a run that was
-                            stopped goes on; --write makes docs/reports/engines_compared.md of it
+                            stopped continues; --write makes docs/reports/engines_compared.md of it
   ./run zoo jolt rapier     only engines whose name begins so
   ./run zoo --findings      asks each engine the cases that it was convicted on, and says whether it still is;
                             --write makes docs/reports/bugs_shrunk.md of it
@@ -12,6 +12,7 @@ contact deeper than that must not be missed or passed, nor one claimed of bodies
 zoo.json, says how each engine is started; one whose program or package is not there is left out, with a word.
 """
 import argparse
+import datetime
 import json
 import os
 import pathlib
@@ -177,10 +178,13 @@ def page(options, results, left):
     methods = [(question_of(method), method) for result in results.values() if result for method in result["methods"]]
     parts = [f"""# Engines compared
 
-A report for authors and users of the engines, made by `./run zoo --write`. It has every engine that is installed, called as
-its users call it, by default and in its tightest settings, and our own methods through the same protocol
-([protocol.md](../reference/protocol.md)). All got the same corpus and families: {options.count} cases of each,
-{options.rotating} of each rotating family, and queries about the bodies of {options.queries}.
+A report for authors and users of the engines, made on {datetime.date.today():%-d %B %Y} by
+
+    ./run zoo --write --count {options.count} --rotating {options.rotating} --queries {options.queries}
+
+It has every engine that is installed, called as its users call it, by default and in its tightest settings, and our own
+methods through the same protocol ([protocol.md](../reference/protocol.md)). All got the same corpus and families:
+{options.count} cases of each, {options.rotating} of each rotating family, and queries about the bodies of {options.queries}.
 
 The limit is {options.relative_tolerance} of the scale of each question. *Wrong* is a contact deeper than that denied, or one
 claimed of bodies that stay farther apart. *Late* is a time by which the bodies are deeper in each other. *Early* and *off*
@@ -218,8 +222,8 @@ def arguments():
     parser.add_argument("--results", type=pathlib.Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--relative-tolerance", default="1e-3", metavar="R")
     parser.add_argument("--count", type=int, default=60, metavar="N", help="cases a family (60)")
-    parser.add_argument("--rotating", type=int, default=8, metavar="N", help="of one in which bodies turn (8)")
-    parser.add_argument("--queries", type=int, default=6, metavar="N", help="whose bodies are asked queries (6)")
+    parser.add_argument("--rotating", type=int, default=8, metavar="N", help="cases a rotating family (8)")
+    parser.add_argument("--queries", type=int, default=6, metavar="N", help="cases whose bodies are asked queries (6)")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--seconds", type=int, default=600, metavar="S",
                         help="for one engine; what is judged by then counts (600)")
@@ -264,7 +268,7 @@ if __name__ == "__main__":
         print(f"graze: {fault}", file=sys.stderr)
         sys.exit(2)
     except KeyboardInterrupt:
-        print("\ngraze: stopped; what is judged is kept, and the next run goes on from there", file=sys.stderr)
+        print("\ngraze: stopped; what is judged is kept, and the next run continues from there", file=sys.stderr)
         sys.exit(130)
     except BrokenPipeError:
         os._exit(0)

@@ -1,4 +1,5 @@
 """The findings of findings.json, each shown again: the engine is asked the case, and the judge must still convict it."""
+import datetime
 import json
 import re
 import subprocess
@@ -11,8 +12,8 @@ HEAD = """# More findings in other engines, made small
 
 For authors of these engines, and for readers who want to see small cases. [bugs_found.md](bugs_found.md) has the findings
 that were worked out by hand. The cases here were made small by the engine's own answers, often down to bodies without
-extent. `./run zoo --findings --write` shows each of them again and makes this page. Some may share their cause with a
-finding there.
+extent. `./run zoo --findings --write` shows each of them again and makes this page, last on {date}.
+Some may share their cause with a finding there.
 
 The cases are in `corpus/found/`, with the answer by an oracle. An engine is called as its users call it, with the settings
 of its name (`engines/zoo`). *Tightest* means the smallest tolerances and the most iterations that it accepts. Errors are
@@ -87,6 +88,7 @@ def show(options, root, engines, versions):
         parts.append(section(finding, reason, version))
     if options.write and not gone:
         table = "| finding | engine | fault | |\n|---|---|---|---|\n" + "\n".join(rows) + "\n\n"
-        (root / PAGE).write_text(HEAD + table + "\n".join(parts))
+        head = HEAD.format(date=f"{datetime.date.today():%-d %B %Y}")
+        (root / PAGE).write_text(head + table + "\n".join(parts))
         print(f"{PAGE} is written")
     return gone

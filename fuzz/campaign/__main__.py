@@ -32,7 +32,7 @@ def whole(text: str) -> int:
 
 def options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="./run fuzz", description="Runs the fuzz targets in turns; stop it by Ctrl-C, "
-                                     "the same command goes on. Exit code 1: there are new findings.")
+                                     "the same command continues. Exit code 1: there are new findings.")
     parser.add_argument("--hours", type=positive, default=1, help="of this machine's time (default: 1)")
     parser.add_argument("--jobs", type=whole, default=1, help="targets at a time (default: 1)")
     parser.add_argument("--targets", default="", metavar="A,B", help="only these (default: all of fuzz/targets.txt)")
@@ -78,7 +78,7 @@ def campaign(given: argparse.Namespace) -> int:
     for name in (signal.SIGINT, signal.SIGTERM):
         signal.signal(name, stop)
     if state.seconds() > 0:
-        board.say(f"goes on after {state.seconds() / 3600:.2f} core-hours of {budget / 3600:.2f}")
+        board.say(f"continues after {state.seconds() / 3600:.2f} core-hours of {budget / 3600:.2f}")
     work.prepare()
     work.run()
     board.draw()
@@ -88,7 +88,7 @@ def campaign(given: argparse.Namespace) -> int:
     print(text, end="")
     (given.corpora / "summary.md").write_text(text, encoding="utf-8")
     if work.stopping.is_set():
-        board.say("stopped; the same command goes on")
+        board.say("stopped; the same command continues")
         return 130
     if work.broken:
         raise BadInput(f"these targets did not run: {', '.join(work.broken)}")

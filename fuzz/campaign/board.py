@@ -72,7 +72,7 @@ class Board:
 
 def summary(targets: list[Target], state: State, mechanism_of) -> str:
     """Markdown: a table, then the findings. `mechanism_of(target, id)` names one."""
-    named = "finished" if state.finished else "unfinished, the same command goes on"
+    named = "finished" if state.finished else "unfinished, the same command continues"
     lines = [f"Fuzz campaign by {state.engine}: {state.seconds() / 3600:.2f} core-hours, {state.rounds} rounds ({named}).",
              "",
              "| target | core-hours | executions | a second | reach a law | coverage, edges | corpus | failing inputs | new findings | known |",

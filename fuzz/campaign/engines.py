@@ -156,7 +156,7 @@ class Afl(Programs):
 
     def __init__(self, source: Path, build: Path):
         super().__init__(source, build)
-        self.before: dict[Path, int] = {}  # executions of earlier slices, which AFL++ goes on counting from
+        self.before: dict[Path, int] = {}  # executions of earlier slices, which AFL++ continues counting from
 
     def slice(self, target: Target, pool: Path, work: Path, seconds: int) -> list[str]:
         earlier = Seen()

@@ -1,7 +1,7 @@
 """What a campaign has done, in a JSON file that is replaced as a whole, so that a stop at any time loses a slice at
 most.
 
-A campaign is so many core-seconds. While it is unfinished the same command goes on with it; after it a new one
+A campaign is so many core-seconds. While it is unfinished the same command continues it; after it a new one
 begins, on the corpora that the last one left."""
 
 import json

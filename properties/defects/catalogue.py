@@ -11,7 +11,7 @@ A patch begins with header lines, then a diff that `patch --strip=1 --fuzz=1` ap
 A defect in core is compiled into the methods of the law's kind alone (linear, query, rotating; in double,
 unless the patch speaks of float), one in an oracle into that oracle. All laws of the kind see generated cases
 (driver.cpp), none of the curated ones. What a defect came to is kept in the work directory under a hash of
-all that it depends on, so that a run that was stopped goes on where it was.
+all that it depends on, so that a run that was stopped continues where it was.
 """
 import argparse
 import os
@@ -134,4 +134,4 @@ def main():
 
 
 if __name__ == "__main__":
-    end(main, "\ngraze: stopped; what is done is kept, and the next run goes on from there\n")
+    end(main, "\ngraze: stopped; what is done is kept, and the next run continues from there\n")

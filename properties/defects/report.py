@@ -58,15 +58,15 @@ def page(config, patches, results):
     tied = sum(1 for patch in patches if patch.reports or patch.classes)
     lines = [
         "# Planted defects", "",
-        f"{len(patches)} small patches to the library, its oracles and its checker, and the laws that notice them; "
-        f"{tied} are mechanisms of reported failures or of their classes. Written by `./run defects --write`: each "
-        "defect is planted in a copy, and all laws of its kind see generated cases, none of them curated: "
-        f"{CASES_OF_ALL['linear']:,} linear ones and ten times as many near-ties, {CASES_OF_ALL['query']:,} for the "
-        f"other queries, {CASES_OF_ALL['rotating']:,} rotating ones; the law that a patch names sees "
-        f"{CASES['linear']:,}, {CASES['query']:,} and {CASES['rotating']:,}. The first broken case is in brackets; "
-        "`crashed` and `hangs` are what the defect did to the method.", "",
-        "A law is listed under what it needs. No defect may survive, and of each law some defect is noticed by at most "
-        f"{FEW} laws of its class.", ""]
+        f"{len(patches)} small patches to the library, its oracles and its checker, and the laws that notice them. "
+        f"{tied} are mechanisms of reported failures or of their classes. `./run defects --write` wrote this page. "
+        "It plants each defect in a copy. All laws of the defect's kind see generated cases, "
+        f"none of them curated: {CASES_OF_ALL['linear']:,} linear ones and ten times as many near-ties, "
+        f"{CASES_OF_ALL['query']:,} for the other queries, {CASES_OF_ALL['rotating']:,} rotating ones. The law that a "
+        f"patch names sees {CASES['linear']:,}, {CASES['query']:,} and {CASES['rotating']:,}. The first broken case is in "
+        "brackets. `crashed` and `hangs` are what the defect did to the method.", "",
+        "A law is listed under what it needs. No defect may survive. Each law must notice some defect that at "
+        f"most {FEW} laws of its class notice.", ""]
     faults = faults_of_patches(config, patches, results) + faults_of_laws(config, results)
     if faults:
         lines += ["**Not so:** " + "; ".join(faults) + ".", ""]

@@ -17,9 +17,9 @@ constexpr OutOfReach kOutOfReach[] = {
     {"ray_is_point_cast", "",
      "hulls_rotated target_margin noisy_copy smooth_graze combinators mixed_magnitudes coaxial "
      "rods_and_round smooth_depths round_ties",
-     "the differences of turned, noisy, rounded and many vertices, and of nested parts, are no doubles"},
+     "the differences of rotated, noisy, rounded and many vertices, and of nested parts, are not doubles"},
     {"turning", "", "slivers far_own_frame",
-     "what is added to the last bits, or lies far out, leaves no room for the products of a rational turn"},
+     "changes of the last bits, or lengths far out, leave no room for the products of a rational rotation"},
     {"reordering", "", "aligned_boxes", "a box has neither vertices nor parts to put in another order"},
     {"tiers_nest", "", "rods_and_round", kCurvedRods},
     {"exact_equals_oracle", "", "rods_and_round", kCurvedRods},
@@ -29,10 +29,10 @@ constexpr OutOfReach kOutOfReach[] = {
     {"query_contact_is_right", "", "rods_and_round", kRoundRods},
     {"interrupted_query_is_right", "", "rods_and_round", kRoundRods},
     {"query_tolerance_is_kept", "", "rods_and_round", kRoundRods},
-    {"as_one_stands_still", "hit", "", "bodies that move as one stand still to each other: no hit"},
+    {"as_one_stands_still", "hit", "", "bodies that move as one stand still relative to each other: no hit"},
     {"apart_start_has_no_policy", "initially_overlapping", "", "it is about starts that are apart"},
     {"turning_splitting", "initially_overlapping", "", "a step is split before the first contact"},
-    {"idle_pivot_is_nothing", "", "both_turn", "in that family no body is without a turn"},
+    {"idle_pivot_is_nothing", "", "both_turn", "in that family every body rotates"},
 };
 
 // Empty. An entry would name the law, the methods by full name, and the known reason.

@@ -5,7 +5,7 @@
 
 CONFIG is written by CMake (tests/mutants): the compiler, and what to link. All mutants stand in one copy of
 core, which is compiled once; then each is run by itself (driver.cpp). What is done is kept in FOLDER: stopped,
-the next run goes on from there; an edit of core, of the laws or of the options begins anew. Without a command
+the next run continues from there; an edit of core, of the laws or of the options begins anew. Without a command
 that changes files the report goes to the standard output; --write makes it build/reports/mutants.md.
 """
 import argparse
@@ -257,5 +257,5 @@ if __name__ == "__main__":
         print(f"graze: {error.cmd[0]} failed (exit {error.returncode}); its message is above", file=sys.stderr)
         sys.exit(2)
     except KeyboardInterrupt:
-        print("\ngraze: stopped; what is done is kept, and the next run goes on from there", file=sys.stderr)
+        print("\ngraze: stopped; what is done is kept, and the next run continues from there", file=sys.stderr)
         sys.exit(130)

@@ -167,7 +167,7 @@ def messages(stderr):
 
 
 def settle(sample, folder, command, files, say, only_object=None):
-    """Drops what does not compile until all of it does. No object is made, but for a file that is the only one."""
+    """Drops what does not compile until all of it does. No object is made, except for a file that is the only one."""
     ends = {file: ["-c", file, "-o", only_object] if only_object else ["-fsyntax-only", file] for file in files}
     for turn in range(40):
         sample.generate(folder)

@@ -170,16 +170,16 @@ def page(outcome, options):
     lines = ["# Mutants of core",
              "",
              "`./run mutants` takes a seeded sample of lines of core, changes one operator, constant, condition or "
-             "statement in each, and runs the laws on generated cases (none of them curated) until one breaks. What "
-             "no law notices meets the unit tests of core (`tests/mutants` says which). This page is its report: "
+             "statement in each, and runs the laws on generated cases (none of them curated) until one breaks. The "
+             "mutants that no law notices meet the unit tests of core (`tests/mutants` says which). This page is its report: "
              f"seed {options.seed}, {len(outcome.mutants) + outcome.pending} mutants of {outcome.places} places ({outcome.dropped} that "
              f"do not compile were replaced), methods in {scalars}, {options.linear} linear cases and as many "
              f"near-ties, {options.query} of the other queries, {options.rotating} rotating, some aimed at what is "
              f"rare, {options.seconds} s of processor time for a mutant. A crash and an endless loop are noticed, too.",
              "",
              *([f"**The run was stopped: {outcome.pending} more mutants wait.**", ""] if outcome.pending else []),
-             f"Of {len(outcome.mutants)} mutants the laws notice {len(killed)}, unit tests {len(unit)} more. "
-             f"{len(left)} are left; {len(harmless)} of them change no answer, or none that is worse, as each says "
+             f"The laws notice {len(killed)} of {len(outcome.mutants)} mutants, and unit tests {len(unit)} more. "
+             f"{len(left)} are left. {len(harmless)} of them change no answer, or none that is worse, as each says "
              f"below. **Noticed of those that can be: {outcome.share():.1f} %** "
              f"({len([m for m in judged if m.noticed()])} of {len(judged)}); by the laws alone "
              f"{outcome.share(lambda m: m.verdict == 'killed'):.1f} %. Without those that change answers within their "
@@ -189,14 +189,14 @@ def page(outcome, options):
     lines += ["", "How: " + ", ".join(f"{end} {n}" for end, n in sorted(by_end.items(), key=lambda x: -x[1])) + ".",
               "", "## By kind of mutation", ""] + table(outcome.mutants, lambda m: m.operator)
     lines += ["", "## By file", ""] + table(outcome.mutants, lambda m: m.file)
-    lines += ["", "## What came first", "",
+    lines += ["", "## The first to notice", "",
               "The first of a mutant, in an order that takes cheap trials first: no measure of a law's worth."]
     lines = counted(lines, "law", by_law)
     if by_test:
         lines = counted(lines, "unit test", by_test)
     lines += ["", "## Not noticed", "",
-              "Kinds: *equivalent*, no input is answered otherwise; *cost*, answers are the same or as good, at "
-              "another price; *within*, answers differ and keep every guarantee; *missing*, a law or a case that "
-              "is wanted. Of the first two nothing could be noticed, and they do not count.", ""]
+              "Kinds: *equivalent* (no input has another answer), *cost* (answers are the same or as good, at another "
+              "price), *within* (answers differ and keep every guarantee), *missing* (a law or a case is needed). The first "
+              "two cannot be noticed, and do not count.", ""]
     lines += [item(m) for m in sorted(left, key=lambda m: (m.file, m.line))] or ["None."]
     return "\n".join(lines) + "\n"

@@ -43,13 +43,18 @@ std::string plain_page(const std::string& title, const nlohmann::ordered_json& d
     }
   }
   return fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{0}</title>\n"
-      "<style>body{{font:16px/1.5 sans-serif;max-width:60rem;margin:1rem auto;padding:0 1rem}}"
-      "pre{{overflow-x:auto;font-size:13px}}svg{{max-width:100%;height:auto}}</style>\n"
-      "<h1>{0}</h1>\n<p>This graze was built without Node, so this page lacks the viewer: no figures to "
-      "point at, no\n"
-      "shapes to turn. docs/howto/show.md says how to build it.</p>\n<pre>{1}</pre>\n{2}</html>\n",
+      "<!doctype html>\n"
+      "<html lang=\"en\">\n"
+      "<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width\">\n"
+      "<title>{0}</title>\n"
+      "<style>body{{font:16px/1.5 sans-serif;max-width:60rem;margin:1rem auto;padding:0 "
+      "1rem}}pre{{overflow-x:auto;font-size:13px}}svg{{max-width:100%;height:auto}}</style>\n"
+      "<h1>{0}</h1>\n"
+      "<p>This graze was built without Node, so this page lacks the viewer: no figures to point at, no\n"
+      "shapes to rotate. docs/howto/show.md says how to build it.</p>\n"
+      "<pre>{1}</pre>\n"
+      "{2}</html>\n",
       corpus::xml_text(title), corpus::xml_text(plain), pictures);
 }
 

@@ -57,7 +57,7 @@ std::vector<bool> drawn(std::size_t n, const scene::Report& report, std::size_t 
 std::string spared_sentence(const Counts& counts) {
   const std::uint64_t casts = counts.effects[1] + counts.effects[2] + counts.effects[3];
   std::string text =
-      fmt::format("Of {} pairs {} were simulated: {} by a static overlap, {} linear, {} rotating.",
+      fmt::format("{1} of {0} pairs were simulated: {2} by a static overlap, {3} linear, {4} rotating.",
                   counts.pairs, casts, counts.effects[1], counts.effects[2], counts.effects[3]);
   std::string why;
   const auto add = [&](std::uint64_t number, const char* words) {
@@ -69,7 +69,7 @@ std::string spared_sentence(const Counts& counts) {
   add(counts.effects[0], "have bounding spheres that never meet");
   add(counts.moot, "were made moot by an earlier event");
   add(counts.unfinished, "were left undone when the run was interrupted");
-  if (!why.empty()) text += " Of the others " + why + ".";
+  if (!why.empty()) text += " Among the others, " + why + ".";
   if (counts.shortened > 0)
     text += fmt::format(" {} were cast no farther than to an earlier event.", counts.shortened);
   return text;

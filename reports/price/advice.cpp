@@ -30,13 +30,13 @@ constexpr const char* kRobot =
     "answers that are never late, not by a bit, and miss no contact, as its tier promises of every input";
 constexpr const char* kCad = "the verdict of every tie, and the time as exactly as it can be said";
 constexpr Rule kRules[] = {
-    {"a game", kGame, "that do not turn", Bodies::in_float, false, 1e-3},
-    {"a game", kGame, "that turn", Bodies::turning, false, 1e-3},
-    {"a robot", kRobot, "that do not turn", Bodies::any, true, 1},
-    {"a robot", kRobot, "that turn", Bodies::turning, true, 1},
+    {"a game", kGame, "that do not rotate", Bodies::in_float, false, 1e-3},
+    {"a game", kGame, "that rotate", Bodies::turning, false, 1e-3},
+    {"a robot", kRobot, "that do not rotate", Bodies::any, true, 1},
+    {"a robot", kRobot, "that rotate", Bodies::turning, true, 1},
     {"a CAD tool", kCad, "that are polytopes", Bodies::polytopes, true, 1e-15},
     {"a CAD tool", kCad, "of other shapes", Bodies::other_shapes, true, 1e-12},
-    {"a CAD tool", kCad, "that turn", Bodies::turning, true, 1e-9},
+    {"a CAD tool", kCad, "that rotate", Bodies::turning, true, 1e-9},
 };
 
 // Costs that differ by less are as good as equal: the rounds of a ratio differ by more.

@@ -91,7 +91,7 @@ struct Sentence {
 // The contender recommended for a user (reports/price/advice.hpp), over the cases of `tables` tables. An empty label
 // means that none of them keeps the rule.
 struct Advice {
-  std::string user = {}, wants = {}, bodies = {};  // "a game", its requirement, "that turn"
+  std::string user = {}, wants = {}, bodies = {};  // "a game", its requirement, "that rotate"
   std::string label = {}, call = {}, baseline = {};
   Spread cost = {};                      // over the baseline's time: the tables' geometric mean, and the ends
   double worst = kNone, denied = kNone;  // error over scale, distance of wrong verdicts from a tie

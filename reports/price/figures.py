@@ -38,7 +38,7 @@ def shown(error):
 
 
 def look(row):
-    """Double is drawn full, float hollow and dashed; an engine of others in a grey of its own."""
+    """Double is drawn full, float hollow and dashed; a third-party engine in a grey of its own."""
     colour = COLOURS.get(row["method"], "#777777")
     is_float = row["scalar"] == "float"
     return {"color": colour, "marker": MARKS.get(row["method"], "h"), "linestyle": "--" if is_float else "-",

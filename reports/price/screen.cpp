@@ -105,14 +105,14 @@ std::string curves_text(const Document& document, Part part) {
 std::string advice_text(const Document& document) {
   std::string out, user;
   for (const Advice& one : document.advice) {
-    if (user.empty()) out += "Which to take\n";
+    if (user.empty()) out += "Recommended methods\n";
     if (one.user != user) out += fmt::format("  for {}: {}\n", one.user, one.wants);
     user = one.user;
     if (one.label.empty()) {
       out += fmt::format("    bodies {}: {}\n", one.bodies, one.because);
       continue;
     }
-    out += fmt::format("    bodies {}: {}, {} times the time of {}, off by {} of scale at most; {}\n",
+    out += fmt::format("    bodies {}: {}, {} times the time of {}, off by {} of scale at most ({})\n",
                        one.bodies, one.label, times_text(one.cost.median), one.baseline,
                        error_text(one.worst), one.because);
   }
@@ -132,7 +132,7 @@ std::string screen_of(const Document& document, bool full) {
   }
   out += curves_text(document, Part::growth);
   out += curves_text(document, Part::query);
-  out += "What the figures say. Ratios are of times; a cast is asked for its time alone, caches warm.\n";
+  out += "The results in words. Ratios are of times. A cast requests the time alone, with warm caches.\n";
   for (const Sentence& one : document.sentences) out += fmt::format("  {}\n", one.text);
   out += advice_text(document);
   return out;

@@ -81,7 +81,7 @@ class Words {
   }
   [[nodiscard]] static std::string families_text(const Tables& tables, bool turning) {
     return fmt::format("{} {} of {}", tables.size(), tables.size() == 1 ? "family" : "families",
-                       turning ? "turning bodies" : "linear casts");
+                       turning ? "rotating bodies" : "linear casts");
   }
 
   void cheapest(bool turning) {
@@ -97,7 +97,7 @@ class Words {
       }
       say(topic,
           fmt::format(
-              "The cheapest method that is {} on {}: {}, at {} times the time of {}; its worst error is "
+              "The cheapest method that is {} on {}: {}, at {} times the time of {}, with a worst error of "
               "{} of scale.",
               what, families_text(tables, turning), found->row->label, times_text(found->cost), baseline,
               error_text(found->worst)));
@@ -121,8 +121,8 @@ class Words {
     if (found != of_polytopes.end()) {
       say("never_wrong",
           fmt::format(
-              "Of polytopes alone the cheapest that is neither wrong nor late: {}, at {} times the time "
-              "of {}.",
+              "On polytopes alone the cheapest that is neither wrong nor late: {}, at {} times the time of "
+              "{}.",
               found->row->label, times_text(found->cost), baseline));
     }
   }
@@ -256,7 +256,7 @@ class Words {
         say("certainty",
             fmt::format("Certainty, {}: tier certified takes {} the time of the quickest standard "
                         "method at its least tolerance.",
-                        turning ? "turning bodies" : "linear casts", range.text()));
+                        turning ? "rotating bodies" : "linear casts", range.text()));
       }
     }
   }
@@ -271,7 +271,7 @@ class Words {
     }
     if (over_mpr.empty()) return;
     say("exactness",
-        fmt::format("Exactness, of polytopes: tier exact takes {} the time of mpr/double; {} that of "
+        fmt::format("Exactness, on polytopes: tier exact takes {} the time of mpr/double, and {} that of "
                     "certified/double.",
                     over_mpr.text(), over_certified.text()));
   }
@@ -312,15 +312,17 @@ class Words {
     }
     if (!shallow.empty()) {
       say("epa_mpr",
-          fmt::format("EPA, which finds the least depth, against MPR, which is given the direction, on "
-                      "hulls: shallow {} the time; deep {}.",
-                      shallow.text(), deep.text()));
+          fmt::format(
+              "EPA, which finds the least depth, against MPR, which is given the direction, on hulls: "
+              "shallow {} the time, deep {}.",
+              shallow.text(), deep.text()));
     }
     if (!before_after.empty()) {
       say("swept",
-          fmt::format("Before-and-after points against the swept sum, both by GJK, on hulls: {} the time; "
-                      "MPR on the sum {}.",
-                      before_after.text(), mpr.text()));
+          fmt::format(
+              "Before-and-after points against the swept sum, both by GJK, on hulls: {} the time, and MPR "
+              "on the sum {}.",
+              before_after.text(), mpr.text()));
     }
   }
 
@@ -367,8 +369,8 @@ class Words {
         if (!text.empty()) parts.push_back(std::move(text));
       }
       if (!parts.empty())
-        say("crawls", fmt::format("Where each crawls, {}: {}.", turns ? "turning bodies" : "linear casts",
-                                  fmt::join(parts, "; ")));
+        say("crawls", fmt::format("The slowest search of each method, {}: {}.",
+                                  turns ? "rotating bodies" : "linear casts", fmt::join(parts, "; ")));
     }
   }
 

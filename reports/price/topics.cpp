@@ -125,11 +125,11 @@ Case turning_pair(Random& random, double least, double most) {
 
 void add_turning(std::vector<Topic>& out, const Effort& effort) {
   out.push_back(turning(
-      family("slow_turn", "rotation", "Both bodies turn by 0.05 to 0.5 radians while they pass",
-             "A turning corner's path is curved: contact is a root that is closed in on, digit by digit.",
+      family("slow_turn", "rotation", "Both bodies rotate by 0.05 to 0.5 radians while they pass",
+             "The path of a rotating corner is curved: the search closes in on the root, digit by digit.",
              effort.turning, [](Random& random, std::size_t) { return turning_pair(random, 0.05, 0.5); })));
   out.push_back(turning(
-      family("fast_turn", "rotation", "Both bodies turn by 3 to 12 radians while they pass",
+      family("fast_turn", "rotation", "Both bodies rotate by 3 to 12 radians while they pass",
              "The same root, and there may be many before it that come near: what is skipped must be proved.",
              effort.turning, [](Random& random, std::size_t) { return turning_pair(random, 3, 12); })));
   out.push_back(turning(family(
@@ -158,7 +158,7 @@ void add_polytopes(std::vector<Topic>& out, const Effort& effort) {
   out.push_back(family(
       "near_ties", "ties",
       "Polytopes with faces, edges and corners that are parallel, or pass by 10^-1 to 10^-9",
-      "The last step is still exact, and near a tie there are more candidates for it; what costs is to be "
+      "The last step is still exact, and near a tie there are more candidates for it. The cost is to be "
       "sure of the verdict.",
       effort.polytopes,
       of_families({"grazing_face", "grazing_edge", "parallel_faces", "parallel_edges"}, 1, 9)));
@@ -223,7 +223,7 @@ void add_growth(std::vector<Topic>& out, const Effort& effort) {
   for (const double angle : {0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0}) {
     Topic topic = point(
         "spin", "radians in the step, of each body", angle,
-        fmt::format("Both bodies turn by {:g} radians while they pass", angle), "", effort.points,
+        fmt::format("Both bodies rotate by {:g} radians while they pass", angle), "", effort.points,
         {"rotating ca", "rotating bilateral", "rotating steps", "rotating spheres", "rotating certified"},
         [=](Random& random, std::size_t) { return turning_pair(random, angle, angle); });
     topic.kind = Kind::rotating;
@@ -251,10 +251,10 @@ Topic requests(const char* name, std::string title, std::size_t cases, std::vect
 
 void add_requests(std::vector<Topic>& out, const Effort& effort) {
   out.push_back(requests(
-      "requests polytopes", "What is asked for, of hulls of 8 to 64 vertices", effort.requests,
+      "requests polytopes", "Cost of each request, hulls of 8 to 64 vertices", effort.requests,
       {"gjk", "mpr", "certified", "exact", "swept_overlap gjk", "swept_overlap mpr", "swept_overlap exact"},
       [](Random& random, std::size_t place) { return hulls(random, 8 << (place % 4), false); }));
-  out.push_back(requests("requests smooth", "What is asked for, of smooth shapes", effort.requests,
+  out.push_back(requests("requests smooth", "Cost of each request, smooth shapes", effort.requests,
                          {"gjk", "mpr", "certified", "swept_overlap gjk", "swept_overlap mpr"},
                          [](Random& random, std::size_t place) {
                            Case problem;
@@ -264,7 +264,7 @@ void add_requests(std::vector<Topic>& out, const Effort& effort) {
                            return problem;
                          }));
   Topic topic =
-      requests("requests turning", "What is asked for, of bodies that turn by 0.3 to 3 radians",
+      requests("requests turning", "Cost of each request, bodies that rotate by 0.3 to 3 radians",
                std::max<std::size_t>(effort.requests / 2, 8), {"rotating bilateral", "rotating certified"},
                [](Random& random, std::size_t) { return turning_pair(random, 0.3, 3); });
   topic.kind = Kind::rotating;

@@ -194,7 +194,7 @@ std::vector<std::string_view> reasons_of(const Plan& plan) {
   return reasons;
 }
 
-// Text of a plan, such as "linear: A's turn cannot be seen; ...".
+// Text of a plan, such as "linear: A's rotation cannot be seen; ...".
 std::string plan_text(const Plan& plan) {
   const std::vector<std::string_view> reasons = reasons_of(plan);
   std::string text(to_text(plan.effects));

@@ -29,7 +29,7 @@ namespace graze::tool {
 // Why an input was refused, and where: "body b: shape.half_extents[1] is negative".
 [[nodiscard]] std::string invalid_text(const engine::Answer& answer);
 
-// The simulated motion and the reasons. {"id", "plan": "linear", "reasons": ["neither body turns"]}
+// The simulated motion and the reasons. {"id", "plan": "linear", "reasons": ["neither body rotates"]}
 [[nodiscard]] std::string plan_block(const corpus::Case& problem, const Plan& plan);
 [[nodiscard]] std::string plan_json(const corpus::Case& problem, const Plan& plan);
 

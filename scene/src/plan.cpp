@@ -22,12 +22,12 @@ std::string to_text(const Counts& counts) {
   };
   line(counts.bodies, counts.bodies == 1 ? "body" : "bodies");
   line(counts.resting, "of them at rest");
-  line(counts.turning, "of them turning");
+  line(counts.turning, "of them rotating");
   line(counts.pairs, counts.pairs == 1 ? "pair" : "pairs");
   line(counts.filtered, "nothing: parted by their filters");
   line(counts.apart, "nothing: at rest, and their bounds are apart");
   line(counts.never_meet, "nothing: their swept bounds never meet");
-  line(counts.moot, "nothing: an earlier event settles what is asked");
+  line(counts.moot, "nothing: an earlier event settles the question");
   line(counts.parted, "a test: parted along the axis of the step before");
   line(counts.held, "a test: in contact along the directions of the step before");
   line(counts.kept, "nothing: they rest as in the step before");

@@ -7,6 +7,7 @@ The argument is the folder of the built tests. With GRAZE_BOUNDS_TIMES=100 it is
 a bound is below the truth: the table is written all the same.
 """
 
+import datetime
 import pathlib
 import subprocess
 import sys
@@ -46,7 +47,8 @@ def main():
     text = page.read_text(encoding="utf-8")
     before, rest = text.split(BEGIN, 1)
     after = rest.split(END, 1)[1]
-    page.write_text(before + BEGIN + "\n\n" + "\n".join(table) + "\n\n" + END + after, encoding="utf-8")
+    made = f"The table was made on {datetime.date.today():%-d %B %Y}."
+    page.write_text("\n\n".join([before + BEGIN, made, "\n".join(table), END + after]), encoding="utf-8")
     return 1 if failed else 0
 
 

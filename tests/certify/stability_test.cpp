@@ -130,7 +130,8 @@ TEST(Stability, ALateTimeIsMeasuredLevelByLevel) {
   EXPECT_FALSE(curve.holds());
   EXPECT_TRUE(curve.first_fault.starts_with("hits/h20/s1: the time 0.5")) << curve.first_fault;
   ASSERT_EQ(breaches({curve}).size(), 1U);
-  EXPECT_NE(breaches({curve})[0].find("9 of 9 beyond the row"), std::string::npos) << breaches({curve})[0];
+  EXPECT_NE(breaches({curve})[0].find("9 of 9 beyond the guarantee"), std::string::npos)
+      << breaches({curve})[0];
 }
 
 TEST(Stability, ARowThatGrantsTheErrorHolds) {

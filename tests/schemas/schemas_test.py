@@ -2,7 +2,7 @@
 
 - Every case of corpus/, every whole document in docs/, and every question that the host writes is valid.
 - Every change of a sound document (a field left out, one too many, a value of another kind) is refused by the schema where
-  the reader in C++ refuses it, and the reverse, but for what a schema cannot say, which stands below.
+  the reader in C++ refuses it, and the reverse, except for what a schema cannot say, which stands below.
 """
 import copy
 import json

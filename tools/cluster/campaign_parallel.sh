@@ -4,7 +4,7 @@
 #
 #   tools/cluster/campaign_parallel.sh SHARDS [options of graze campaign]
 #
-# Stopped (Ctrl-C) and started again, it goes on from the shards' part<i>.json. GNU parallel reads more options from
+# Stopped (Ctrl-C) and started again, it continues from the shards' part<i>.json. GNU parallel reads more options from
 # the variable PARALLEL, such as --jobs 8, or --sshloginfile hosts.txt for other machines that see this folder.
 #
 # GRAZE: the command, if it is not on the path.
@@ -25,7 +25,7 @@ parallel --line-buffer --workdir "$PWD" --termseq TERM,60000,KILL,25 \
   "$graze" campaign --shard "{}/$shards" --threads 1 --state "part{}.json" "${@@Q}" ">part{}.txt" \
   ::: $(seq "$shards") || status=$?
 if ((status > 100)); then
-  echo "campaign_parallel.sh: stopped; the same command goes on" >&2
+  echo "campaign_parallel.sh: stopped; the same command continues" >&2
   exit 2
 fi
 

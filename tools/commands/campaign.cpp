@@ -86,12 +86,12 @@ void check_families(const CampaignArguments& arguments) {
           fmt::format("--family: {} is no family; `graze generate --help` lists them", name));
     }
     if (family->of_run > 1 && !arguments.workloads)
-      throw std::runtime_error(fmt::format("--family: {} is a workload; it is cast by --workloads", name));
+      throw std::runtime_error(fmt::format("--family: {} is a workload; --workloads casts it", name));
     if (family->rotating && family->of_run == 1 && !arguments.casts_rotating())
-      throw std::runtime_error(fmt::format("--family: bodies of {} turn; they are cast by --rotating", name));
+      throw std::runtime_error(fmt::format("--family: bodies of {} rotate; --rotating casts them", name));
     if (!family->rotating && !arguments.casts_linear() && !arguments.queries)
       throw std::runtime_error(
-          fmt::format("--family: no body of {} turns, and --rotating casts those", name));
+          fmt::format("--family: no body of {} rotates; --rotating needs a family of rotating bodies", name));
   }
 }
 
@@ -132,7 +132,7 @@ CampaignState initial_state(const CampaignArguments& arguments, const CampaignSt
   if (what.empty() && kept.cells != fresh.cells) what = "its levels are not those of this build";
   if (!what.empty()) {
     throw std::runtime_error(
-        fmt::format("--state: {} is of another campaign: {}; name another file", arguments.state, what));
+        fmt::format("--state: {} belongs to another campaign: {}; name another file", arguments.state, what));
   }
   return kept;
 }
@@ -152,7 +152,7 @@ int stopped_by(int signal, const CampaignState& state, const std::string& file) 
   complain(fmt::format(
       "stopped at {} of {} blocks, {} failures so far; {}", state.blocks_done(),
       boost::icl::cardinality(state.share()), total.faults + total.stalls,
-      file.empty() ? "nothing is kept without --state" : "the same command goes on from " + file));
+      file.empty() ? "nothing is kept without --state" : "the same command continues from " + file));
   return 128 + signal;
 }
 
@@ -185,7 +185,8 @@ CampaignPlan plan_of_work(const CampaignArguments& arguments) {
 // The questions of a campaign, part by part.
 CampaignPlan plan_of(const CampaignArguments& arguments, const Engines& engines) {
   const auto only_one = [](const char* one, const char* other, bool both) {
-    if (both) throw std::runtime_error(fmt::format("{}: says with {} how many casts; give one", one, other));
+    if (both)
+      throw std::runtime_error(fmt::format("{} and {}: both set the number of casts; give one", one, other));
   };
   only_one("--casts", "--per-family", arguments.casts && arguments.per_family);
   only_one("--rotating", "--rotating-per-family", arguments.rotating && arguments.rotating_per_family);
@@ -204,11 +205,11 @@ CampaignPlan plan_of(const CampaignArguments& arguments, const Engines& engines)
     const auto families = chosen_families(arguments.families, all);
     const Contenders others = engines.methods(kind);
     if (!engines.empty() && others.empty() && arguments.methods.empty())
-      throw std::runtime_error(fmt::format(
-          "--engine: none of these says that it can be asked {}; leave that part away, or name a --method",
-          kind == engine::Kind::linear  ? "casts"
-          : kind == engine::Kind::query ? "queries"
-                                        : "rotating casts"));
+      throw std::runtime_error(
+          fmt::format("--engine: none of these engines supports {}; leave that part out, or name a --method",
+                      kind == engine::Kind::linear  ? "casts"
+                      : kind == engine::Kind::query ? "queries"
+                                                    : "rotating casts"));
     Contenders contenders = chosen_contenders(kind, arguments.methods, others);
     const Sampling sampling{.oracle_every = arguments.oracle_every.value_or(oracle_every),
                             .judge_every = arguments.judge_every};
@@ -283,26 +284,27 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--casts", arguments->casts,
-          fmt::format("Linear casts ({}, of engines of others {}, unless other questions are asked for)",
+          fmt::format("Linear casts (default: {}, or {} for third-party engines, unless other questions are "
+                      "requested)",
                       kCasts, kCastsOfOthers))
       ->check(count_of_casts())
       ->type_name("N");
   command
       ->add_option("--per-family", arguments->per_family,
-                   "N of each family, by each method, in place of --casts")
+                   "N of each family, by each method, instead of --casts")
       ->check(count_of_casts())
       ->type_name("N");
-  command->add_option("--rotating", arguments->rotating, "Casts of turning bodies")
+  command->add_option("--rotating", arguments->rotating, "Casts of rotating bodies")
       ->check(count_of_casts())
       ->type_name("N");
   command
       ->add_option("--rotating-per-family", arguments->rotating_per_family,
-                   "N of each family, by each method, in place of --rotating")
+                   "N of each family, by each method, instead of --rotating")
       ->check(count_of_casts())
       ->type_name("N");
   command
       ->add_option("--queries", arguments->queries,
-                   "Ask each other query N times in each linear family, of each method")
+                   "Queries other than casts: N of each, in each linear family, by each method")
       ->check(count_of_casts())
       ->type_name("N");
   command
@@ -320,14 +322,16 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
       ->type_name("N");
   command
       ->add_option("--family", arguments->families,
-                   "Ask about cases of this family (may be repeated); without it, of all")
+                   "Use the cases of this family (may be repeated; default: all families)")
       ->type_name("NAME");
   command
       ->add_option(
           "--method,--methods", arguments->methods,
-          fmt::format("Of linear casts {} (exact), of turning bodies {} (plan and certified, both scalars), "
-                      "or of a query (each with a row); standard: every row of that tier; may be repeated",
-                      linear_names(), rotating_names()))
+          fmt::format(
+              "A method of linear casts: {} (default: exact); of rotating casts: {} (default: plan and "
+              "certified, both scalars); or of a query (default: each that has a guarantee). standard "
+              "names every method of that tier. May be repeated",
+              linear_names(), rotating_names()))
       ->type_name("NAME");
   command->add_option("--seed", arguments->seed, "Another campaign of the same kind (1)")
       ->check(seed_number())
@@ -335,16 +339,19 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--oracle-every", arguments->oracle_every,
-          fmt::format("The oracle judges one cast in N besides, chosen at random ({}; of turning bodies {}); "
-                      "of queries, which have no proofs, it judges one in N alone (1); 0: none",
-                      kCastOracleEvery, kRotatingOracleEvery))
+          fmt::format(
+              "The oracle also judges one cast in N, chosen at random ({}; {} for rotating bodies). "
+              "Queries have no proofs: the oracle judges one in N of them (1), and the others are not "
+              "judged. 0: none",
+              kCastOracleEvery, kRotatingOracleEvery))
       ->check(whole_number())
       ->type_name("N");
   command
       ->add_option(
           "--judge-every", arguments->judge_every,
-          "Judge one case in N, chosen at random, and every answer that did not converge, is refused or "
-          "makes no sense; of the rest the outcomes are counted, for rates of stalls (1)")
+          "Judge one case in N, chosen at random (1), and every answer that did not converge, is refused "
+          "or makes no sense. The outcomes of the others are only counted, to measure how often a method "
+          "does not converge")
       ->check(count_of_casts())
       ->type_name("N");
   command
@@ -353,14 +360,15 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
       ->type_name("N");
   command
       ->add_option("--state", arguments->state,
-                   "Keep what is done in this file, and go on from it if it is there")
+                   "Save the progress in this file, and continue from it if it exists")
       ->type_name("FILE");
   command->add_option("--shard", arguments->shard, "Only share I of N, from 1; `graze merge` joins them")
       ->type_name("I/N");
   command
       ->add_option(
           "--block", arguments->block,
-          fmt::format("Casts that are done or not at all ({}; other than linear {})", kBlock, kSlowBlock))
+          fmt::format("Casts per block, the unit of progress ({}; {} for questions other than linear casts)",
+                      kBlock, kSlowBlock))
       ->check(count_of_casts())
       ->type_name("N");
   command->add_option("--save", arguments->outputs.save, "Write the cases of failures to this file")
@@ -376,7 +384,8 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
   add_engine_options(*command, arguments->engines);
   add_promise_options(*command, arguments->engines);
   command->footer(
-      "An answer is judged by its proof; the exact oracle decides what a proof leaves open, and a sample.\n"
+      "An answer is judged by its proof. The exact oracle decides the answers that a proof leaves open, "
+      "and a sample.\n"
       "The summary does not depend on threads, stops or shards. docs/howto/campaign.md says more.\n\n"
       "  graze campaign --state campaign.json\n"
       "  graze campaign --casts 100000 --family grazing_face --method mpr/float --save hard.jsonl\n"

@@ -33,9 +33,8 @@ void check(const CastSettings& settings) {
         fmt::format("--tier: {} is no tier; it is standard, certified or exact", settings.tier));
   }
   if (settings.tier != "standard" && !settings.method.empty() && settings.method != settings.tier) {
-    throw std::runtime_error(
-        fmt::format("--tier: {} has one method, not {}; leave --method away, or leave the tier",
-                    settings.tier, settings.method));
+    throw std::runtime_error(fmt::format("--tier: {} has one method, not {}; leave out --method or --tier",
+                                         settings.tier, settings.method));
   }
   if (settings.scalar != "double" && settings.scalar != "float") {
     throw std::runtime_error(
@@ -43,14 +42,14 @@ void check(const CastSettings& settings) {
   }
   if (settings.plan && !(settings.method.empty() && settings.proofs.empty())) {
     throw std::runtime_error(
-        fmt::format("--plan: nothing is cast, so {} has no meaning beside it; leave one of them away",
+        fmt::format("--plan: nothing is cast, so {} has no meaning beside it; leave one of them out",
                     settings.method.empty() ? "--proof" : "--method"));
   }
   if (settings.plan && !settings.engines.commands.empty())
-    throw std::runtime_error("--plan: engines of others have none; leave --engine away");
+    throw std::runtime_error("--plan: third-party engines have no plan; leave --engine out");
   if (settings.tier != "standard" && !settings.engines.commands.empty())
-    throw std::runtime_error(
-        fmt::format("--tier: is of our methods alone; beside --engine name one: --method {}", settings.tier));
+    throw std::runtime_error(fmt::format(
+        "--tier: applies to our methods only; with --engine name one: --method {}", settings.tier));
 }
 
 // Does --method select this one? A name with its scalar ("mpr/float") leaves --scalar aside. Without a name,
@@ -220,7 +219,7 @@ class CastRun {
         if (is_asked && method.kind == engine::Kind::rotating) continue;
         const engine::Answer answer = method.ask(problem, ask_);
         if (answer.declined) {
-          why = answer.message.empty() ? "it says that the case is none for it" : answer.message;
+          why = answer.message.empty() ? "it says that it does not support the case" : answer.message;
           continue;
         }
         is_asked = true;
@@ -313,12 +312,13 @@ void add_cast_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--tolerance", settings->tolerance,
-          "The search may stop once the bracket is as narrow, a length over the scale of the bodies; "
-          "0 (the default): where rounding ends it. Tier exact and whether bodies overlap need none")
+          "The search may stop once the bracket is this narrow: a length relative to the scale of the "
+          "bodies. With 0 (the default) rounding ends the search. The exact tier and overlap queries need "
+          "no tolerance")
       ->check(number_from(0))
       ->type_name("X");
   command->add_flag("--json", settings->json,
-                    "One JSON object a line, which says all that the text says; numbers read back to the "
+                    "One JSON object per line with everything that the text says. Numbers read back to the "
                     "same bits");
   command->add_flag("--plan", settings->plan,
                     "Only say what must be simulated, nothing, static, linear or rotating, and why");
@@ -329,18 +329,20 @@ void add_cast_command(CLI::App& app, int& exit_code) {
   add_engine_options(*command, settings->engines);
   command->footer(
       "The time runs from 0 to the case's t_max (1 by default). A bracket [lower, upper] holds the time of "
-      "impact;\n"
-      "use lower in a simulator: it is never late. The normal is from A to B; point_a and point_b are the "
-      "contact\n"
-      "on each body at lower, in world coordinates. Tier exact: all but ellipsoids, cylinders, cones and "
-      "hulls\n"
-      "of shapes; lower and upper are the two doubles next to the time, or both are it.\n\n"
-      "Of a case in which a body turns:\n"
-      "  plan (default)       simulates what can be seen, and names it; --plan says why\n"
+      "impact.\n"
+      "Use lower in a simulator: it is never late. The normal points from A to B. point_a and point_b are "
+      "the contact\n"
+      "on each body at lower, in world coordinates. The exact tier takes all shapes except ellipsoids, "
+      "cylinders, cones\n"
+      "and hulls of shapes. Its lower and upper are the two doubles next to the time, or both are the "
+      "time.\n\n"
+      "Methods for a case with rotating bodies:\n"
+      "  plan (default)       simulates only the motion that can matter, and names it (--plan says why)\n"
       "  bilateral            bilateral advancement: never passes the first contact\n"
       "  ca                   conservative advancement: the same, slower where the bodies graze\n"
-      "  certified            the tier's: a proved bracket\n"
-      "  steps, spheres       overlap at equal steps, and from where bounding spheres meet: either may miss\n"
+      "  certified            the method of the certified tier: a proved bracket\n"
+      "  steps, spheres       overlap at equal steps, and from where bounding spheres meet: either may "
+      "miss\n"
       "                       contacts by motions smaller than it says\n"
       "  bilateral_published  as published: may pass a contact between the ends of a step\n\n"
       "A case may ask another query:\n"
@@ -356,12 +358,12 @@ void add_cast_command(CLI::App& app, int& exit_code) {
       "  graze cast --plan --json cases.jsonl\n"
       "  graze cast cases.jsonl --json --method all --proof proofs.jsonl && graze check proofs.jsonl\n"
       "  graze cast cases.jsonl --engine ./mine --method gjk    another engine's answers "
-      "(docs/reference/protocol.md), "
-      "beside ours\n\n"
-      "Exit code: 0, or 2 if a file or a case could not be read or answered, or an output not be written; "
-      "the "
-      "other\ncases are answered all the same. 1 if an engine of others crashed, hung or wrote what is no "
-      "answer; what it does not\ntake is said and counted.");
+      "(docs/reference/protocol.md), beside ours\n\n"
+      "Exit code: 0. 2 if a file or a case could not be read or answered, or an output could not be "
+      "written. The other\n"
+      "cases are still answered. 1 if a third-party engine crashed, hung or wrote no valid answer. Cases "
+      "that the engine\n"
+      "does not support are listed and counted.");
   command->callback([settings, command, &exit_code] {
     require_engine(*command);
     exit_code = CastRun(*settings)();

@@ -143,9 +143,9 @@ void refuse_old_spellings(const CLI::App& command) {
 void require_meaning(const CLI::App& command) {
   require_engine(command);
   if (is_given(command, "--findings") && !is_given(command, "--engine"))
-    throw std::runtime_error("--findings: are of engines of others; name one with --engine");
+    throw std::runtime_error("--findings: applies to third-party engines; name one with --engine");
   if (is_given(command, "--report-cases") && !is_given(command, "--report"))
-    throw std::runtime_error("--report-cases: is of the report; name its folder with --report");
+    throw std::runtime_error("--report-cases: applies to the report; name its folder with --report");
 }
 
 }  // namespace
@@ -161,19 +161,20 @@ void add_certify_command(CLI::App& app, int& exit_code) {
                   kUsual.rotating));
   command
       ->add_option("--oracle-every", arguments->oracle_every,
-                   "Also measure every N-th generated case by the exact oracle (20); of files, all are")
+                   "Also measure every N-th generated case by the exact oracle (20). Cases of files are "
+                   "all measured")
       ->check(whole_number(1))
       ->type_name("N");
   command
       ->add_option(
           "--queries", arguments->queries,
-          fmt::format("Cases of each suite whose bodies are asked the other queries, too ({}); 0 asks "
-                      "none",
-                      kUsual.queries))
+          fmt::format(
+              "Also ask the other queries about the bodies of this many cases of each suite ({}; 0: none)",
+              kUsual.queries))
       ->check(whole_number())
       ->type_name("N");
   command->add_flag("--full", arguments->full,
-                    "Print everything: each method on each family, every row of the guarantees");
+                    "Print everything: each method on each family, every guarantee");
   command->add_flag(
       "--thorough", arguments->thorough,
       fmt::format("Judge more: {} cases a family, {} of a rotating one, {} for queries; and print "
@@ -182,12 +183,11 @@ void add_certify_command(CLI::App& app, int& exit_code) {
   command->add_flag("--fail-fast", arguments->fail_fast, "Stop at the first fault");
   command
       ->add_option("--save", arguments->save,
-                   "Write the cases that a method got wrong or stalled on to this file")
+                   "Write the cases on which a method was wrong or did not converge to this file")
       ->type_name("OUT.jsonl");
   command
-      ->add_option(
-          "--json", arguments->json,
-          "Write what was counted, method by method and family by family, to this file, one JSON object")
+      ->add_option("--json", arguments->json,
+                   "Write the counts by method and by family to this file, as one JSON object")
       ->type_name("OUT.json");
   command
       ->add_option("--junit", arguments->junit,
@@ -195,19 +195,18 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       ->type_name("OUT.xml");
   command
       ->add_option("--findings", arguments->findings,
-                   "Of each engine and kind of fault write a case, made small, into this folder")
+                   "Write one shrunk case for each engine and kind of fault into this folder")
       ->type_name("DIR");
   add_engine_options(*command, arguments->engines);
   command
       ->add_option("--report", arguments->report,
-                   "Write the report into this folder: index.html, one file to look at, which needs no "
-                   "network, and what was counted, certification.json")
+                   "Write the report into this folder: index.html, one page that needs no network, and "
+                   "certification.json, the counts")
       ->type_name("DIR");
   command
-      ->add_option(
-          "--report-cases", arguments->report_cases,
-          fmt::format("Of the cases that the report names, hold this many in full, the worst first ({})",
-                      ReportDefaults::kCases))
+      ->add_option("--report-cases", arguments->report_cases,
+                   fmt::format("The report holds this many of its cases in full, the worst first ({})",
+                               ReportDefaults::kCases))
       ->check(whole_number(0, ReportDefaults::kMost))
       ->type_name("N");
   add_promise_options(*command, arguments->engines);
@@ -219,19 +218,18 @@ void add_certify_command(CLI::App& app, int& exit_code) {
   for (const char* old : {"--law", "--plot"})
     command->add_option(old)->allow_extra_args(false)->take_all()->group("");
   command->footer(
-      "Without files or families: the curated corpus and every generated family. An answer is judged by its "
-      "proof\n"
-      "first; the exact oracle decides what is refused or unproved, and measures the errors on a sample.\n"
-      "docs/reference/guarantees.md says what each column means. Of files, a query beside the cast is judged "
-      "as it is "
-      "asked; what\n"
-      "nothing judges (a line of bodies that turn) is said, and leaves the exit code to the others.\n\n"
+      "Without files or families: the curated corpus and every generated family. An answer is judged by "
+      "its proof\n"
+      "first. The exact oracle decides refused and unproved answers, and measures the errors on a sample.\n"
+      "docs/reference/guarantees.md explains the columns. Queries in files are judged as they are asked. "
+      "Cases that\n"
+      "nothing can judge (a line of rotating bodies) are reported, and do not affect the exit code.\n\n"
       "  graze certify\n"
       "  graze certify --family grazing_face --count 20000 --method mpr/float --save hard.jsonl\n"
       "  graze certify --method exact --count 20000 --oracle-every 500   a million exact casts\n"
-      "  graze certify --family fast_spin --rotating 1000   a thousand cases in which a body turns\n"
+      "  graze certify --family fast_spin --rotating 1000   a thousand cases with rotating bodies\n"
       "  graze certify my_cases.jsonl\n\n"
-      "Exit code: 0 if every method keeps its row of the guarantee table, 1 if one does not,\n"
+      "Exit code: 0 if every method keeps its guarantee, 1 if one does not,\n"
       "2 for bad input, and if there is nothing to judge.");
   command->callback([arguments, command, &exit_code] {
     refuse_old_spellings(*command);

@@ -30,8 +30,10 @@ void print_known_failures(std::FILE* screen, const Settings& settings, bool in_f
   Intake intake;
   intake.take("known failures", known.cases, true);
   const Certification failing = certify(intake.suites, settings);
-  fmt::print(screen, "{} of {} known failures fail, held against no row (corpus/{}; --full says how).\n",
-             failing.convicted.size(), known.cases.size(), file.filename().string());
+  fmt::print(
+      screen,
+      "{} of {} known failures fail, which does not affect the verdict (corpus/{}; --full says how).\n",
+      failing.convicted.size(), known.cases.size(), file.filename().string());
   if (!in_full) return;
   for (const std::string& line : failing.breaches) fmt::print(screen, "known: {}\n", line);
 }
@@ -53,11 +55,11 @@ void print_intake(std::FILE* screen, const Intake& intake) {
 void print_screen(std::FILE* screen, const Certification& certification, const Settings& settings) {
   fmt::print(screen, "\n{}", summary_table(certification, settings));
   fmt::print(screen,
-             "answers in both scalars; open: not converged, or a bracket that says of itself that it is "
-             "wide; proofs: "
-             "that the\nchecker accepted; error / limit: the largest that the oracle measured over what the "
-             "guarantee "
-             "grants; most supports:\nsupport evaluations of the costliest answer. --full: all.\n");
+             "Answers are in both scalars. open: not converged, or a bracket that is marked as wide. "
+             "proofs: accepted by the\n"
+             "checker. error / limit: the largest error that the oracle measured, over the limit of the "
+             "guarantee. most supports:\n"
+             "support evaluations of the costliest answer. --full prints everything.\n");
 }
 
 // The command line that repeats the judgement, without the output files.

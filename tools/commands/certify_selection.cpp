@@ -57,8 +57,8 @@ std::string Selection::why_not(const corpus::Case& problem) const {
     if (std::string why = method.refuses(problem); !why.empty())
       return fmt::format("{}: {}", method.question_name(), why);
   }
-  return fmt::format("no method is one for {}",
-                     engine::turns(problem) ? "bodies that turn" : "bodies that do not turn");
+  return fmt::format("no method supports {}",
+                     engine::turns(problem) ? "rotating bodies" : "bodies that do not rotate");
 }
 
 void Selection::read_table(const std::string& name) {

@@ -62,8 +62,8 @@ void add_check_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<CheckArguments>();
   CLI::App* command = app.add_subcommand(
       "check",
-      "Is each proof of the files true, and does it prove what its record says? Exact, in balls where bodies "
-      "turn; independent of who wrote it.");
+      "Is each proof of the files true, and does it prove what its record says? The check is exact (ball "
+      "arithmetic for rotating bodies) and independent of the program that wrote the proof.");
   command
       ->add_option("files", arguments->files,
                    "Files of proofs, one a line, as `graze cast --proof` writes them; - is standard input")
@@ -79,32 +79,28 @@ void add_check_command(CLI::App& app, int& exit_code) {
   command->footer(
       "A proof holds its case, an axis that bounds the time of impact from below, and a portal of support "
       "pairs that\n"
-      "bounds it from above; of a rotating answer, a chain of axes with their slices of time, and pairs in "
-      "contact at\n"
-      "its end. Its record also says what was answered: an outcome and, where it states one, a bracket.\n\n"
+      "bounds it from above. The proof of a rotating answer holds a chain of axes with their slices of "
+      "time, and pairs in\n"
+      "contact at its end. The record also says what was answered: an outcome and, if it states one, a "
+      "bracket.\n\n"
       "  accepted  the proof is true and proves the outcome and the bracket. In the standard tier it may "
-      "prove "
-      "the\n"
+      "prove the\n"
       "            bracket for shapes within kappa u of scale, kappa from the guarantee of the record's "
       "method\n"
       "  in part   the proof is true and proves less: a wider bracket; one half of a hit; in the standard "
-      "tier, "
-      "of\n"
+      "tier, of\n"
       "            contact or a miss by the rounding alone, perhaps nothing; for a start under pass_over "
-      "what "
-      "the\n"
+      "what the\n"
       "            format can say\n"
       "  refused   the proof is false, or contradicts what its record says, or proves nothing of it\n\n"
-      "Each that is not accepted is a line: the case, the method, what is claimed, what is proved, or why "
-      "not.\n\n"
+      "Each record that is not accepted is one line: the case, the method, what is claimed, what is "
+      "proved, or why not.\n\n"
       "  graze cast cases.jsonl --proof proofs.jsonl\n"
       "  graze check proofs.jsonl\n"
-      "  graze check --kappa 16 proofs_of_another_library.jsonl   (docs/explanation/checker.md says what is "
-      "accepted "
-      "then)\n\n"
+      "  graze check --kappa 16 proofs_of_another_library.jsonl   (docs/explanation/checker.md says what "
+      "is accepted then)\n\n"
       "Exit code: 0 if every record is accepted; 1 if one is refused; 2 if a file could not be read; 3 if "
-      "none "
-      "is\n"
+      "none is\n"
       "refused and some are proved in part.");
   command->callback([arguments, &exit_code] { exit_code = run_check_command(*arguments); });
 }

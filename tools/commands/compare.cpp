@@ -44,27 +44,28 @@ int run_compare_command(const CompareArguments& arguments) {
 
 void add_compare_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command =
-      app.add_subcommand("compare", "What got slower or less accurate between two runs of graze price?");
-  command->add_option("old", arguments->before, "What graze price --json wrote before")
+  CLI::App* command = app.add_subcommand(
+      "compare", "Lists what got slower or less accurate between two runs of graze price.");
+  command->add_option("old", arguments->before, "The file that graze price --json wrote before")
       ->required()
       ->type_name("OLD.json");
   command->add_option("new", arguments->after, "And now")->required()->type_name("NEW.json");
   command
       ->add_option("--threshold", arguments->threshold,
-                   "By what part a ratio of times or a mean of supports must grow to be said (0.1)")
+                   "Report a ratio of times or a mean of supports if it grew by this fraction (0.1)")
       ->check(number_from(0, 100))
       ->type_name("X");
   command
       ->add_option("--error-factor", arguments->error_factor,
-                   "By what factor an error must grow, beyond rounding, to be said (2)")
+                   "Report an error if it grew by this factor, beyond rounding (2)")
       ->check(number_from(1, 1e12))
       ->type_name("X");
-  command->add_flag("--all", arguments->all, "Also say what got better");
+  command->add_flag("--all", arguments->all, "Also report what got better");
   command->footer(
-      "Compared are ratios to the baseline of the same run, whose spreads do not overlap, and what depends "
-      "on no "
-      "clock:\nsupports, steps, errors, verdicts. Times are never compared, so the runs may be of two "
+      "Two kinds of numbers are compared: ratios to the baseline of the same run whose spreads do not "
+      "overlap, and numbers\n"
+      "that depend on no clock (supports, steps, errors, verdicts). Times are never compared, so the runs "
+      "may come from two\n"
       "machines.\n\n"
       "  graze compare old.json new.json --threshold 0.2\n\n"
       "Exit code: 0; 1 if something got worse; 2 for bad input.");

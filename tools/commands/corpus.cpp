@@ -74,21 +74,22 @@ void add_add_command(CLI::App& parent, int& exit_code) {
   command->add_option("finding", addition->input, "A file of cases, .json or .jsonl, or - for standard input")
       ->required()
       ->type_name("FILE");
-  CLI::App* where = command->add_option_group("where", "Where it goes, one of");
+  CLI::App* where = command->add_option_group("where", "The destination, one of");
   where->add_option("--into", addition->into, "A file of corpus/cases, which may be new")->type_name("FILE");
   where->add_flag("--known", addition->known, "corpus/known_failures.jsonl, until the mechanism is mended");
   where->require_option(1);
   command->add_option("--id", addition->id, "family/name; without it the case keeps its id")->type_name("ID");
   command->add_option("--comment", addition->comment, "Why it is hard, in a sentence")->type_name("TEXT");
-  command->add_option("--flag", addition->flags, "What it breaks, a flag with a note; may be repeated")
+  command
+      ->add_option("--flag", addition->flags, "A flag with a note on what the case breaks (may be repeated)")
       ->type_name("FLAG")
       ->allow_extra_args(false);
-  command->add_option("--source", addition->source, "Where it was reported")->type_name("URL");
+  command->add_option("--source", addition->source, "The place where it was reported")->type_name("URL");
   command->add_flag("--dry-run", addition->dry_run, "Prints what would be appended, and writes nothing");
   command->footer(
-      "The family is the first part of the id; the hardness stays where the family does. An id or a case "
-      "that\n"
-      "the corpus has already, a flag without a note and a missing comment are refused, and then nothing is\n"
+      "The family is the first part of the id. The hardness is kept if the family is. An id or a case that "
+      "the\n"
+      "corpus already has, a flag without a note and a missing comment are refused, and then nothing is\n"
       "written.\n\n"
       "  graze corpus add finding.json --into corpus/cases/grazing.jsonl --id graze/rim-on-rim \\\n"
       "      --flag Graze --comment \"Rims that pass each other by less than a rounding.\"\n\n"

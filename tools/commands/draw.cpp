@@ -103,7 +103,7 @@ int run_draw_command(const DrawArguments& settings) {
   if (!settings.families.empty()) {
     if (!settings.files.empty()) {
       throw std::runtime_error(
-          "--families: draws the families' own cases; leave the files away, or the option");
+          "--families: draws the families' own cases; leave out the files or the option");
     }
     return draw_families(settings, how);
   }
@@ -154,15 +154,15 @@ void add_draw_command(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   command
       ->add_option("--out", settings->out,
-                   "The picture; of several cases the folder for them, each named by its id. Without it, "
-                   "standard output")
+                   "The picture, or for several cases the folder of pictures, each named by its id "
+                   "(default: standard output)")
       ->type_name("OUT");
   command
       ->add_option("--view", settings->view,
                    "Towards the viewer: x, y, z, a direction such as 1,0,2.5, or auto (the default): across "
                    "the motion and along the contact, A below and B above")
       ->type_name("VIEW");
-  command->add_option("--width", settings->width, "Of the picture, in pixels (760)")
+  command->add_option("--width", settings->width, "Width of the picture, in pixels (760)")
       ->check(whole_number(draw::kLeastWidth, draw::kGreatestWidth))
       ->type_name("W");
   command
@@ -171,11 +171,10 @@ void add_draw_command(CLI::App& app, int& exit_code) {
       ->type_name("DIR");
   command->footer(
       "A is blue, B orange: strong where they meet or pass nearest, paler at t = 0 and on the way. The "
-      "arrows "
-      "are\n"
-      "the paths of the points that touch, n is the normal. What is too small to see is drawn again beside "
-      "it, so\n"
-      "many times magnified. The answer is our default method's.\n\n"
+      "arrows are\n"
+      "the paths of the points that touch, n is the normal. Details that are too small to see are drawn "
+      "again\n"
+      "beside it, with the magnification. The answer is our default method's.\n\n"
       "  graze draw pair.json --out pair.svg\n"
       "  graze generate grazing_edge --hardness 9 --count 1 | graze draw - --out graze.svg\n"
       "  graze draw corpus/cases/reported.jsonl --out pictures\n\n"

@@ -16,7 +16,7 @@
 namespace graze::tool {
 namespace {
 
-constexpr const char* kGroup = "Engines of others";
+constexpr const char* kGroup = "Third-party engines";
 // Seconds: what a limit counts, and a day.
 constexpr double kLeastTime = 0.001, kMostTime = 86400;
 constexpr std::array<std::string_view, 7> kAnswers = {"verdict",  "time",  "normal", "witnesses",
@@ -54,8 +54,8 @@ std::string lacking(const external::Declaration& engine, const EngineArguments& 
 void add_engine_options(CLI::App& command, EngineArguments& arguments) {
   command
       .add_option("--engine", arguments.commands,
-                  "Ask this program, with its arguments, or this shared library (may be repeated); of ours "
-                  "then those that --method names")
+                  "Ask this program, with its arguments, or this shared library (may be repeated). Our own "
+                  "methods are then asked only if --method names them")
       ->type_name("COMMAND")
       ->allow_extra_args(false)
       ->group(kGroup);
@@ -63,24 +63,28 @@ void add_engine_options(CLI::App& command, EngineArguments& arguments) {
       ->check(number_from(kLeastTime, kMostTime))
       ->type_name("S")
       ->group(kGroup);
-  command.add_option("--memory-limit", arguments.memory_limit, "MiB that a process of it may use (2048)")
+  command
+      .add_option("--memory-limit", arguments.memory_limit,
+                  "MiB of memory that a process of the engine may use (2048)")
       ->check(whole_number(1, 1U << 20))
       ->type_name("MIB")
       ->group(kGroup);
   command
       .add_flag("--beyond-limits", arguments.beyond_limits,
-                "Ask it also what lies beyond the limits that it documents")
+                "Also ask questions beyond the limits that the engine documents")
       ->group(kGroup);
 }
 
 void add_promise_options(CLI::App& command, EngineArguments& arguments) {
-  command.add_option("--tolerance", arguments.tolerance, "Hold it to this length, whatever it promises")
+  command
+      .add_option("--tolerance", arguments.tolerance,
+                  "Judge the engine by this error bound, a length, whatever it declares")
       ->check(number_from(0))
       ->type_name("X")
       ->group(kGroup);
   command
       .add_option("--relative-tolerance", arguments.relative_tolerance,
-                  "The same, over the scale of each question")
+                  "The same, relative to the scale of each question")
       ->check(number_from(0))
       ->type_name("X")
       ->group(kGroup);
@@ -91,9 +95,10 @@ void add_promise_options(CLI::App& command, EngineArguments& arguments) {
   command
       .add_flag(
           "--measure", arguments.measure,
-          fmt::format("Measure errors only, whatever it promises; without a promise or a limit it is held "
-                      "to {:g} of scale",
-                      external::kAssumedRelativeTolerance))
+          fmt::format(
+              "Only measure errors, whatever the engine declares. Without a declared or given bound, the "
+              "bound is {:g} of scale",
+              external::kAssumedRelativeTolerance))
       ->excludes("--tolerance")
       ->excludes("--relative-tolerance")
       ->excludes("--kappa")
@@ -131,7 +136,7 @@ void require_engine(const CLI::App& command) {
     if (option->get_group() != kGroup || option->count() == 0) continue;
     const std::string name = option->get_name();
     const char* what = name.starts_with("--needs")       ? "is what an engine must declare"
-                       : name.find("limit") != name.npos ? "is of engines of others"
+                       : name.find("limit") != name.npos ? "applies to third-party engines"
                                                          : "is what an engine is held to";
     throw std::runtime_error(fmt::format("{}: {}; name one with --engine", name, what));
   }

@@ -35,9 +35,9 @@ std::string family_list() {
     }
   };
   add(corpus::families());
-  text += "\nIn these a body turns:\n";
+  text += "\nFamilies with rotating bodies:\n";
   add(corpus::rotating_families());
-  text += "\nThese are workloads, steps of simulations; seeds in a row are the questions of one run:\n";
+  text += "\nWorkloads, the steps of simulations (consecutive seeds are the questions of one run):\n";
   add(corpus::workloads());
   return text;
 }
@@ -71,15 +71,13 @@ void add_generate_command(CLI::App& app, int& exit_code) {
   command->add_option("family", settings->family, "The family's name, see below")
       ->required()
       ->type_name("FAMILY");
-  command->add_option("--hardness", settings->hardness, "How hard; without it, all levels in turn")
+  command->add_option("--hardness", settings->hardness, "The hardness (default: all levels in turn)")
       ->check(number_from())
       ->type_name("H");
   command->add_option("--count", settings->count, "How many cases (10)")
       ->check(whole_number())
       ->type_name("N");
-  command
-      ->add_option("--seed", settings->seed,
-                   "The first seed (1); the following cases have the following seeds")
+  command->add_option("--seed", settings->seed, "The first seed (1). The next cases have the next seeds")
       ->check(seed_number())
       ->type_name("S");
   command->footer(

@@ -237,19 +237,21 @@ void add_judge_command(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   command
       ->add_option("--engine-file", arguments->engine_file,
-                   "What answered, a graze.engine/1; without it an engine in double that promises nothing")
+                   "The engine that answered, a graze.engine/1 (default: an engine in double that declares "
+                   "no bound)")
       ->type_name("ENGINE.json");
   add_limit(*command, "--tolerance", arguments->held.tolerance,
-            "Hold it to this length, whatever it promises");
+            "Judge the engine by this error bound, a length, whatever it declares");
   add_limit(*command, "--relative-tolerance", arguments->held.relative_tolerance,
-            "The same, over the scale of each question");
+            "The same, relative to the scale of each question");
   add_limit(*command, "--kappa", arguments->held.kappa, "The same, in units of u scale");
   command
       ->add_flag(
           "--measure", arguments->held.measure,
-          fmt::format("Measure errors only, whatever it promises; without a promise or a limit it is held "
-                      "to {:g} of scale",
-                      external::kAssumedRelativeTolerance))
+          fmt::format(
+              "Only measure errors, whatever the engine declares. Without a declared or given bound, the "
+              "bound is {:g} of scale",
+              external::kAssumedRelativeTolerance))
       ->excludes("--tolerance")
       ->excludes("--relative-tolerance")
       ->excludes("--kappa");

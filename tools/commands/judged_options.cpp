@@ -7,6 +7,7 @@
 
 #include "certify/suites.hpp"
 #include "corpus/curate/location.hpp"
+#include "reports/text/inputs.hpp"
 #include "tools/commands/options.hpp"
 
 namespace graze::tool {
@@ -30,10 +31,11 @@ void add_judged_options(CLI::App& command, JudgedArguments& arguments, const std
       ->check(seed_number())
       ->type_name("S");
   command
-      .add_option("--method", arguments.methods,
-                  fmt::format("{}; of rotating casts {}; of a query (overlap gjk); one with its scalar "
-                              "(mpr/float), or all (may be repeated)",
-                              linear_names(), rotating_names()))
+      .add_option(
+          "--method", arguments.methods,
+          fmt::format("{}; for rotating casts {}; for a query (overlap gjk); with a scalar (mpr/float); or "
+                      "all (may be repeated)",
+                      linear_names(), rotating_names()))
       ->type_name("NAME")
       ->allow_extra_args(false);
   command

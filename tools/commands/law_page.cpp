@@ -49,7 +49,7 @@ casts of rotating bodies. `kappa u scale` is the error bound of the method's gua
     graze laws                                     # every law, on the corpus and every family
     graze laws --law never_late mine.jsonl         # one law, on cases of your own
     graze laws --engine ./mine                     # the laws that apply to a third-party engine (protocol.md)
-    ctest -L property                                        # the same laws, with shrinking, over drawn cases too
+    ctest -L property                              # the same laws, with shrinking, over drawn cases too
 
 If a law breaks, the case is made small (few vertices, small integers), and written as a file for `graze cast` with its
 picture. `graze corpus add` keeps it. `GRAZE_FINDINGS_DIR` names the folder of a test run. The default is `findings/` in the
@@ -58,8 +58,8 @@ build folder.
 A law that never applies checks nothing. So a run over the families also fails if a law never applied, never saw a hit, a
 miss or a start in contact, or was never reached by a family of its kind. The exceptions are listed [below](#out-of-reach).
 
-Each law names planted defects: small patches in `properties/defects/patches/` that make a copy of the library wrong, and that the
-law notices. `./run defects --write` tries them, and writes which law notices which.
+Each law names planted defects: small patches in `properties/defects/patches/` that make a copy of the library wrong, and
+that the law notices. `./run defects --write` tries them, and writes which law notices which.
 )";
 
 std::string line_after(const std::filesystem::path& file, const std::string& text, std::string_view key) {
@@ -123,7 +123,9 @@ std::string reach_table() {
 }
 
 std::string breach_table() {
-  std::string text = "| law | methods | as far as is known |\n|---|---|---|\n";
+  std::string text =
+      "| law | methods | known |\n"
+      "|---|---|---|\n";
   for (const law::KnownBreach& one : law::known_breaches()) {
     text += fmt::format("| `{}` | {} | {} |\n", one.law, fmt::join(words_of(std::string(one.methods)), ", "),
                         cell(std::string(one.why)));
@@ -194,8 +196,10 @@ std::string law_page(std::span<const Law> laws, std::span<const PlantedDefect> d
       reach_table());
   if (!law::known_breaches().empty()) {
     text += fmt::format(
-        "\n## Broken\n\nKnown failures: `graze laws` reports them and fails; the tests "
-        "go on without them, and fail once they are mended.\n\n{}",
+        "\n## Broken\n\n"
+        "Known failures: `graze laws` reports them and fails; the tests skip them, and fail once they are "
+        "mended.\n\n"
+        "{}",
         breach_table());
   }
   return text;

@@ -80,14 +80,12 @@ void add_laws_command(CLI::App& app, int& exit_code) {
       ->type_name("DIR")
       ->needs(page);
   command->footer(
-      "Without files or families: the curated corpus and every generated family. docs/reference/laws.md says "
-      "what each "
-      "law "
-      "is.\n\n"
+      "Without files or families: the curated corpus and every generated family. docs/reference/laws.md "
+      "says what each law is.\n\n"
       "  graze laws --list\n"
       "  graze laws --law never_late my_cases.jsonl\n"
       "  graze laws --family grazing_edge --count 500 --report broken\n"
-      "  graze laws --engine ./my_engine                       those that it can be asked\n"
+      "  graze laws --engine ./my_engine                       the laws that apply to it\n"
       "  graze laws --page > docs/reference/laws.md\n\n"
       "Exit code: 0 if every law holds, 1 if one is broken, 2 for bad input, and if there is nothing to "
       "judge.");

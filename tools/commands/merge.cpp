@@ -37,7 +37,7 @@ void add_merge_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("merge", "Joins the shards of a campaign into its summary.");
   command
       ->add_option("parts", arguments->parts,
-                   "What `graze campaign --shard` left: its --state or --json files, in any order")
+                   "The files that `graze campaign --shard` wrote: its --state or --json files, in any order")
       ->required()
       ->type_name("PART.json");
   command->add_flag("--partial", arguments->partial, "Join what there is, though blocks are missing");

@@ -129,7 +129,7 @@ int show_workloads(const PriceArguments& arguments) {
 
 int run_price_command(const PriceArguments& arguments) {
   if (arguments.workloads) return show_workloads(arguments);
-  if (!arguments.page.empty()) throw std::runtime_error("--page: is of --workloads; give both");
+  if (!arguments.page.empty()) throw std::runtime_error("--page: applies to --workloads; give both");
   if (arguments.quick && arguments.thorough)
     throw std::runtime_error("--quick and --thorough: a run is one of the two");
   require_own_files({arguments.json, arguments.csv});
@@ -184,7 +184,7 @@ int run_price_command(const PriceArguments& arguments) {
   }
   if (const int signal = StopBySignal::received(); signal != 0) {
     if (!arguments.json.empty() && arguments.json != "-")
-      complain("stopped; the same command with --continue goes on from here");
+      complain("stopped; the same command with --continue continues from here");
     return 128 + signal;
   }
   return orphans.empty() ? 0 : 1;
@@ -194,8 +194,8 @@ int run_price_command(const PriceArguments& arguments) {
 
 void add_price_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<PriceArguments>();
-  CLI::App* command =
-      app.add_subcommand("price", "What accuracy costs in time: every method's error against its time.");
+  CLI::App* command = app.add_subcommand(
+      "price", "Measures what accuracy costs in time: every method's error against its time.");
   command->add_flag("--quick", arguments->quick, "The default: a few dozen cases a table, half a minute");
   command->add_flag("--thorough", arguments->thorough,
                     "Eight times the cases, every decade of tolerance, more rounds: an hour or so");
@@ -228,8 +228,7 @@ void add_price_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--report", arguments->report,
-          "Write the report into this folder: index.html, one file to look at, which needs no network, and "
-          "price.json")
+          "Write the report into this folder: index.html, one page that needs no network, and price.json")
       ->type_name("DIR");
   command
       ->add_option(
@@ -243,18 +242,19 @@ void add_price_command(CLI::App& app, int& exit_code) {
                    "With --workloads: write docs/reports/workloads.md to this file")
       ->type_name("OUT.md");
   command->add_flag("--continue", arguments->goes_on,
-                    "Go on with what a run that was stopped left in the file of --json");
+                    "Continue the stopped run whose results are in the file of --json");
   add_engine_options(*command, arguments->engines);
   command->footer(
-      "One run: the same cases for all, put to them in turns, in an order drawn anew for every round; ratios "
-      "are "
-      "to a\nbaseline that each table names, with the least and the greatest of the rounds. Errors are "
-      "against "
-      "the exact or the\nbracket oracle, of turning bodies against a proof. docs/reports/price.md tells the "
-      "story.\n\n"
+      "One run asks all contenders the same cases in turn, in a new random order for every round. Ratios "
+      "are relative to\n"
+      "the baseline that each table names, with the least and the greatest of the rounds. Errors are "
+      "measured against the\n"
+      "exact or the bracket oracle, for rotating bodies against a proof. docs/reports/price.md explains "
+      "the results.\n\n"
       "  graze price --json price.json\n"
       "  graze price --only smooth --only polytopes --full\n"
-      "  graze price --engine ./my_engine --only polytopes    it stands in the tables if it times its calls\n"
+      "  graze price --engine ./my_engine --only polytopes    it stands in the tables if it times its "
+      "calls\n"
       "  graze price --report DIR                             a page to look at: DIR/index.html\n"
       "  python3 reports/price/figures.py price.json figures  every figure\n"
       "  graze price --workloads 1000                         what the steps of simulations cost\n"

@@ -47,9 +47,9 @@ void add_report_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", arguments->out, "The page; without it, standard output")
       ->type_name("OUT.html");
   command->footer(
-      "One file that opens anywhere, without a network: error against time, growth, what each request adds. "
-      "A mark says\n"
-      "what it stands for where it is pointed at, and shows its case where it is pressed.\n\n"
+      "One file that opens anywhere, without a network: error against time, growth, what each request "
+      "adds. Point at a\n"
+      "mark to read what it stands for. Press it to see its case.\n\n"
       "  graze report price.json --out price.html\n\n"
       "Exit code: 0, or 2 if the file is no price list.");
   command->callback([arguments, &exit_code] { exit_code = run_report_command(*arguments); });

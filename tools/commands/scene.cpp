@@ -70,7 +70,7 @@ Enum choice(const std::string& option, const std::string& name, int count) {
     if (name == to_text(static_cast<Enum>(k))) return static_cast<Enum>(k);
     known += (k == 0 ? "" : k + 1 < count ? ", " : " or ") + std::string(to_text(static_cast<Enum>(k)));
   }
-  throw std::runtime_error(fmt::format("{}: {} is none; it is {}", option, name, known));
+  throw std::runtime_error(fmt::format("{}: {} is not a value; it is {}", option, name, known));
 }
 
 std::string vector_text(const Vec3<double>& v) {
@@ -136,7 +136,7 @@ class SceneRun {
       show(document, report);
     }
     if (report.status == scene::Status::interrupted) {
-      complain(fmt::format("{}: interrupted with {} left; what is shown is what is known", file,
+      complain(fmt::format("{}: interrupted with {} left; the results so far are shown", file,
                            counted(report.counts.unfinished, "pair")));
     }
     if (proofs_) write_proofs(document, report);
@@ -316,23 +316,23 @@ class SceneRun {
 
 void add_scene_command(CLI::App& app, int& exit_code) {
   const auto settings = std::make_shared<SceneSettings>();
-  CLI::App* command = app.add_subcommand(
-      "scene", "What first touches what in a scene of many bodies, rays and casts, and when?");
+  CLI::App* command =
+      app.add_subcommand("scene", "Finds the first contacts in a scene of many bodies, rays and casts.");
   command->add_option("files", settings->files, "Scenes, graze.scene/1, one a file; - is standard input")
       ->required()
       ->type_name("FILE");
   command->add_flag(
       "--json", settings->json,
-      "One JSON object a scene, graze.events/1: bodies, motions, events and the plan's counts; the "
-      "same bits in any number of threads");
+      "One JSON object per scene, graze.events/1: bodies, motions, events and the plan's counts. Its bits "
+      "do not depend on the threads");
   command->add_flag("--plan", settings->plan, "Only say what would be simulated, pair by pair, and why");
   command->add_flag(
       "--gains", settings->gains,
-      "Also run with each economy off, alone and together: what each spares, in casts and in time");
+      "Also run with each economy off, alone and together: shows what each saves, in casts and in time");
   command
       ->add_option("--steps", settings->steps,
                    "Also cut the scene's step into so many, each after the one before, with a memory and "
-                   "without: what a memory spares, in casts and in time")
+                   "without: shows what a memory saves, in casts and in time")
       ->check(whole_number(1, 100'000))
       ->type_name("N");
   command->add_option("--economy", settings->economies, "Only these economies, or none; see below")
@@ -343,7 +343,7 @@ void add_scene_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--ask", settings->ask,
-          "Whatever the scene says: pair (each pair's first contact), body (each body's), first (the "
+          "Replaces the scene's own: pair (each pair's first contact), body (each body's), first (the "
           "scene's) or verdict (does anything touch?)")
       ->type_name("NAME");
   command
@@ -362,20 +362,23 @@ void add_scene_command(CLI::App& app, int& exit_code) {
       ->check(whole_number(1))
       ->type_name("N");
   command->footer(
-      "An event is the first contact of two bodies; events come in the order of time, and of their names at "
-      "one\n"
-      "time. Rays and casts go among the bodies as these stand at t = 0.\n\n"
+      "An event is the first contact of two bodies. Events are sorted by time, and by name at equal "
+      "times.\n"
+      "Rays and casts see the bodies where they are at t = 0.\n\n"
       "Economies: " +
       economy_names() +
-      ".\nNone changes a verdict; docs/reference/scenes.md says what each spares.\n\n"
+      ".\n"
+      "All are on by default, and none changes a verdict: the default needs no change. "
+      "docs/reference/scenes.md says what\n"
+      "each saves.\n\n"
       "  graze scene examples/scenes/*.json\n"
       "  graze scene --plan examples/scenes/fan.json\n"
       "  graze scene --ask first --gains examples/scenes/bullets.json\n"
       "  graze scene --steps 100 examples/scenes/fan.json\n"
       "  graze scene examples/scenes/*.json --report played     a page to look at: played/index.html\n\n"
       "Exit code: 0, or 2 if a scene could not be read or run; after an interruption, which shows what is "
-      "known, "
-      "128\nand the signal's number.");
+      "known, 128\n"
+      "and the signal's number.");
   command->callback([settings, &exit_code] { exit_code = SceneRun(*settings)(); });
 }
 

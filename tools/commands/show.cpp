@@ -211,15 +211,15 @@ void add_show_command(CLI::App& app, int& exit_code) {
   command->footer(
       "The page is one file that opens anywhere, without a network: both bodies, the path, contact and "
       "witnesses, the\n"
-      "difference A - B with the path of the origin and the portal or axis that proves the answer, a slider "
-      "for time, the\n"
-      "numbers to copy. What is true is said by the oracles, and each answer is judged as graze certify "
-      "does.\n\n"
+      "difference A - B with the path of the origin and the portal or axis that proves the answer, a "
+      "slider for time, the\n"
+      "numbers to copy. The oracles give the true answer, and each answer is judged as in graze "
+      "certify.\n\n"
       "  graze show pair.json --out pair.html\n"
       "  graze show pair.json --method mpr/float --out pair.html\n"
       "  graze show cases.jsonl --id c17 --engine ./mine --out c17.html\n"
       "  graze show pair.json --answers answers.jsonl --svg --out pair.svg   for an issue thread\n\n"
-      "Exit code: 0, or 2 if a case could not be read; what an answer is worth does not change it.");
+      "Exit code: 0, or 2 if a case could not be read. A wrong answer does not change it.");
   command->callback([arguments, command, &exit_code] {
     require_engine(*command);
     exit_code = ShowRun(*arguments)();

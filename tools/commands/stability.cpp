@@ -40,19 +40,20 @@ void print_drawn(const std::string& line) {
 void print_tables(const std::vector<Curve>& curves) {
   fmt::print("\nEach method on each family, at its worst\n\n{}\n", stability_table(curves));
   fmt::print(
-      "Backward error: of the bracket's worse end, or the clearance or depth that a wrong verdict denies; "
-      "over u scale of\n"
-      "the method's scalar, and over scale. wrong: verdicts that are not the true one, and the clearance or "
-      "depth up to\n"
-      "which there were any. late: by more than the row grants. row: what the row of the guarantee table "
-      "grants.\n"
-      "A miss that is right and a stall have no error.\n\n");
+      "Backward error: the error of the bracket's worse end, or the clearance or depth that a wrong "
+      "verdict denies, over\n"
+      "u scale of the method's scalar and over scale. wrong: verdicts that are not the true one, and the "
+      "largest clearance\n"
+      "or depth among them. late: by more than the guarantee allows. row: the limit of the guarantee. A "
+      "correct miss and\n"
+      "an answer that did not converge have no error.\n\n");
   if (const std::string broken = break_table(curves); !broken.empty()) {
     fmt::print(
-        "Where each method breaks: the first hardness at which an answer is beyond its row, the forward "
-        "error "
-        "exceeds sqrt(u)\nof scale (half of the digits), a verdict is not the true one, a search does not "
-        "converge\n\n{}\n",
+        "The hardness at which each method breaks: the first at which an answer exceeds its guarantee, the "
+        "forward error\n"
+        "exceeds sqrt(u) of scale (half of the digits), a verdict is not the true one, or a search does "
+        "not converge\n\n"
+        "{}\n",
         broken);
   }
   fmt::print("Summary: each method at its worst over all families\n\n{}\n", summary_table(curves));
@@ -99,10 +100,10 @@ int measure(const StabilityArguments& run, const Selection& selection) {
   const std::vector<std::string> broken = breaches(curves);
   for (const std::string& line : broken) fmt::print("broken: {}\n", line);
   if (!unfinished.empty()) fmt::print("Not finished: {}\n", fmt::join(unfinished, ", "));
-  fmt::print("{}\n", !broken.empty() ? "A method is not as stable as its row of the guarantee table says."
+  fmt::print("{}\n", !broken.empty() ? "A method is not as stable as its guarantee says."
                      : !unfinished.empty()
-                         ? "Stopped: every method is as stable as its row says so far."
-                         : "Every method is as stable as its row of the guarantee table says.");
+                         ? "Stopped: every method is as stable as its guarantee says so far."
+                         : "Every method is as stable as its guarantee says.");
   if (const int signal = StopBySignal::received(); signal != 0) return 128 + signal;
   return broken.empty() ? 0 : 1;
 }
@@ -121,7 +122,7 @@ void add_stability_command(CLI::App& app, int& exit_code) {
       ->type_name("DIR");
   command
       ->add_option("--save", arguments->save,
-                   "Write the cases that a method got wrong or stalled on to this file")
+                   "Write the cases on which a method was wrong or did not converge to this file")
       ->type_name("OUT.jsonl");
   add_engine_options(*command, arguments->engines);
   add_promise_options(*command, arguments->engines);
@@ -129,15 +130,12 @@ void add_stability_command(CLI::App& app, int& exit_code) {
   add_guarantees_option(*command, *arguments);
   command->footer(
       "Every case is measured by the oracle (docs/reports/stability.md). With --family the curves are "
-      "printed, level "
-      "by "
-      "level.\n\n"
+      "printed, level by level.\n\n"
       "  graze stability --plot curves\n"
       "  graze stability --family parallel_edges --count 200 --method mpr/double\n"
       "  graze stability --engine ./my_engine\n\n"
-      "Exit code: 0 if every method is as stable as its row of the guarantee table says, 1 if one is not, 2 "
-      "for "
-      "bad input,\nand if there is nothing to measure.");
+      "Exit code: 0 if every method is as stable as its guarantee says, 1 if one is not, 2 for bad input,\n"
+      "and if there is nothing to measure.");
   command->callback([arguments, command, &exit_code] {
     require_engine(*command);
     if (!arguments->plot.empty()) require_folder(arguments->plot);

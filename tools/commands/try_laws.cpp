@@ -195,10 +195,10 @@ void print_idle(const LawCertification& certification, const LawSettings& settin
 void print_ours(const LawCertification& certification, const LawSettings& settings) {
   fmt::print("{}\n", law_table(certification, settings));
   fmt::print(
-      "answers: a case and a method, to which the law applies. left open: by the oracle that the law needs. "
-      "not for the\nlaw: the method does not answer such a case, or the law does not speak of it. "
-      "docs/reference/laws.md "
-      "says what each law is.\n\n");
+      "answers: a case and a method, to which the law applies. left open: by the oracle that the law "
+      "needs. not for the\n"
+      "law: the method does not answer such a case, or the law does not apply to it. "
+      "docs/reference/laws.md says what each law is.\n\n");
   print_idle(certification, settings);
 }
 

@@ -6,7 +6,7 @@
 //   distance      NarrowPhaseQuery.CollideShape, with an mMaxSeparationDistance that no two points can exceed
 //   penetration   NarrowPhaseQuery.CollideShape
 //
-// --setting default    the settings as they are made, but for what the protocol asks of a cast: mReturnDeepestPoint, so
+// --setting default    the settings as they are made, except for what the protocol needs of a cast: mReturnDeepestPoint, so
 //                      that there is a direction of least penetration, and back faces, so that starts in contact that
 //                      move apart are reported. Casts and rays alone: CollideShape sees shapes with corners rounded by
 //                      the default convex radius of 0.05.

@@ -11,7 +11,7 @@
 //         read(raw)  what run() returned -> the fields of graze.answer/1 (`outcome`, `time`, ...)
 //         release()  gives back what ask() allocated; may be left out
 //
-// ask() and read() may throw Unsupported: the question is none for this engine. Anything else that is thrown, by the
+// ask() and read() may throw Unsupported: the engine does not support the question. Anything else that is thrown, by the
 // adapter or by the engine (a trap of WASM, a panic, an abort), ends the process with kCrashed: an instance that has
 // trapped may hold half-written state, and must not answer again.
 //

@@ -275,7 +275,7 @@ function taken(body, shapes) {
   return { ...body, shape: { type: "hull", vertices: vertices_of(body.shape) } };
 }
 
-// The question in the engine's own terms, or null where it is none for it.
+// The question in the engine's own terms, or null if the engine does not support it.
 function in_its_terms(question, expect, engine) {
   const query = engine.queries[question.query];
   if (!query) return null;

@@ -319,7 +319,7 @@ std::vector<Law> linear_advancement_laws() {
        "The same question gets the same bits, whatever was asked between, and with adjacency of its hulls or "
        "without.",
        Needs::metamorphic, &asking_again},
-      {"scalars_meet", "The brackets of a method in float and in double meet, each within its row.",
+      {"scalars_meet", "The brackets of a method in float and in double meet, each within its guarantee.",
        Needs::metamorphic, &scalars_meet},
       {"tiers_nest", "The exact bracket lies within the certified one.", Needs::metamorphic, &tiers_nest},
       {"work", "A cast takes no more support evaluations than its guarantee's most_supports.",

@@ -246,7 +246,7 @@ std::vector<Law> linear_metamorphic_laws() {
       {"splitting",
        "Casting over [0, T] is casting over [0, s] and then, from where the bodies are, over [s, T].",
        Needs::metamorphic, &splitting},
-      {"methods_meet", "The brackets of the methods of one scalar meet, each within its row.",
+      {"methods_meet", "The brackets of the methods of one scalar meet, each within its guarantee.",
        Needs::metamorphic, &methods_meet},
       {"requesting", "Asking for less changes no verdict, costs no more and computes nothing unasked.",
        Needs::metamorphic, &requesting},

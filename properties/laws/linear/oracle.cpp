@@ -203,7 +203,7 @@ std::vector<Law> linear_oracle_laws() {
       {"proof_is_tight", "A proof's bounds are within kappa u scale of the bracket's.", Needs::oracle,
        &proof_is_tight},
       {"certified_decides",
-       "Tier certified leaves a verdict open only where clearance or depth is below the width of its row.",
+       "Tier certified leaves a verdict open only where clearance or depth is below the guaranteed width.",
        Needs::oracle, &certified_decides},
       {"certified_lower_is_near",
        "At toi_lower of a certified answer the bodies are within the width of contact, or the motion ends "

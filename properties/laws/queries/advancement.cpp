@@ -105,8 +105,8 @@ std::string fault_of(const Method& method, const Question& question, const Known
   if (cut.outcome == Outcome::invalid_input) return "refused " + beside(cut, full, ask);
   if (const std::string why = against(known, cut); !why.empty()) return why + " " + beside(cut, full, ask);
   if (const double off = apart_of(method, cut, full); off > 2 * question.limit) {
-    return fmt::format("the bracket is {} off the whole one, the rows allow {}: {}", off, 2 * question.limit,
-                       beside(cut, full, ask));
+    return fmt::format("the bracket is {} off the whole one, the guarantees allow {}: {}", off,
+                       2 * question.limit, beside(cut, full, ask));
   }
   if (!differ(cut, full)) return {};
   const LawResult judged =
@@ -151,8 +151,8 @@ LawResult query_tolerance_widens(const Case& problem, const Method& method) {
       if (!*x || may_be_wide) continue;
       const double width = (*x)->upper - (*x)->lower;
       if (!(width <= tolerance * scale + 2 * question->limit))
-        return broken(
-            fmt::format("a bracket {} wide is no stall {}", width, beside(loose, known.answer, ask)));
+        return broken(fmt::format("a bracket {} wide is not marked as not converged {}", width,
+                                  beside(loose, known.answer, ask)));
       if (width > 2 * question->limit) result.labels.push_back("wide");
     }
   }

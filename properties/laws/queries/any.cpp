@@ -36,8 +36,8 @@ LawResult same_answers(const Method& method, const Question& first, const Answer
   if (!is_about_motion(method.query)) {
     const bool gap = method.query != Query::penetration_along;
     if (const double off = gap ? apart(gap_of(one), gap_of(two)) : 0; off > allowed) {
-      return broken(fmt::format("{} changes the answer by {}, the rows allow {}: {}", edit, off, allowed,
-                                against(one, two)));
+      return broken(fmt::format("{} changes the answer by {}, the guarantees allow {}: {}", edit, off,
+                                allowed, against(one, two)));
     }
     const bool says = one.outcome != Outcome::not_converged && two.outcome != Outcome::not_converged;
     const bool far = one.depth && two.depth && apart(*one.depth, *two.depth) > allowed;
@@ -240,7 +240,8 @@ std::string inconsistent(const Question& question, const Method& method, const A
   // A bracket that is not marked as wide is no wider than its guarantee.
   if (answer.stalled || method.query == Query::penetration_along) return "";
   for (const std::optional<Interval>* x : {&answer.separation, &answer.depth}) {
-    if (*x && !((*x)->upper - (*x)->lower <= 2 * question.limit)) return "a wide bracket that is no stall";
+    if (*x && !((*x)->upper - (*x)->lower <= 2 * question.limit))
+      return "a wide bracket that is not marked as not converged";
   }
   return "";
 }
@@ -300,7 +301,7 @@ void spoil(const Case& seen, const F& refused) {
   for (const Vec3<double>& d : {Vec3<double>(0, 0, 0), Vec3<double>(1, kNan, 1), Vec3<double>(kInf, 0, 0),
                                 Vec3<double>(0, 0, kMost)}) {
     bad.direction = d;
-    refused(bad, "a direction that is none");
+    refused(bad, "a direction that is not valid");
   }
 }
 
@@ -340,8 +341,8 @@ std::vector<Law> query_any_laws() {
        "without.",
        Needs::metamorphic, &query_asking_again},
       {"query_answer_is_consistent",
-       "Outcome and brackets of a query agree. Normals are unit vectors, points are finite, and wide "
-       "brackets are stalls.",
+       "Outcome and brackets of a query agree. Normals are unit vectors, points are finite, and a wide "
+       "bracket is marked as not converged.",
        Needs::metamorphic, &query_answer_is_consistent},
       {"query_bad_input_is_refused",
        "Bad input is refused at the door of every query, a direction of no length among it.",

@@ -81,7 +81,7 @@ LawResult gaps_agree(const Case& problem, const Method& method) {
     const Answer two = other.answer(same->seen);
     const double off = apart(gap_of(one), gap_of(two));
     if (off > question->limit + same->limit) {
-      return broken(fmt::format("{} and {} are {} apart, the rows allow {}: {}; against {}",
+      return broken(fmt::format("{} and {} are {} apart, the guarantees allow {}: {}; against {}",
                                 method.full_name(), other.full_name(), off, question->limit + same->limit,
                                 describe(one), describe(two)));
     }
@@ -136,8 +136,8 @@ LawResult rounding_takes_its_radius(const Case& problem, const Method& method) {
   const Interval expected{one.bracket.lower - r, one.bracket.upper - r};
   const double off = apart(expected, two.bracket);
   if (off > one.limit + two.limit) {
-    return broken(fmt::format("rounded by {} the gap is off by {}, the rows allow {}: {}", decimal(r), off,
-                              one.limit + two.limit, both_texts(one, two)));
+    return broken(fmt::format("rounded by {} the gap is off by {}, the guarantees allow {}: {}", decimal(r),
+                              off, one.limit + two.limit, both_texts(one, two)));
   }
   return held(two.answer);
 }

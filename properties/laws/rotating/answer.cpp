@@ -143,7 +143,7 @@ LawResult turning_answer_is_consistent(const Case& problem, const Method& method
   const bool unknown = answer.outcome == Outcome::not_converged && answer.distance == kInfinity<double>;
   if (!unknown &&
       !(answer.distance >= -limits_of(method, seen, scale_of(seen)).wide && std::isfinite(answer.distance)))
-    fault = fmt::format("a distance that is none, {}", answer.distance);
+    fault = fmt::format("not a valid distance, {}", answer.distance);
   if (!fault.empty()) return broken(fault + ": " + describe(answer));
   return holds({label_of(answer.outcome)});
 }
@@ -216,10 +216,11 @@ std::vector<Law> rotating_answer_laws() {
        Needs::metamorphic, &rotating_work},
       {"turning_superset", "A superset, or a larger target distance, is never hit later.", Needs::metamorphic,
        &turning_superset},
-      {"turning_methods_meet", "The brackets of the methods of one scalar meet, each within its row.",
+      {"turning_methods_meet", "The brackets of the methods of one scalar meet, each within its guarantee.",
        Needs::metamorphic, &turning_methods_meet},
-      {"turning_scalars_meet", "The brackets of a method in float and in double meet, each within its row.",
-       Needs::metamorphic, &turning_scalars_meet},
+      {"turning_scalars_meet",
+       "The brackets of a method in float and in double meet, each within its guarantee.", Needs::metamorphic,
+       &turning_scalars_meet},
       {"turning_budget", "With a larger budget a bracket is within the one before, and the whole one in it.",
        Needs::metamorphic, &turning_budget},
       {"tolerance_is_kept",

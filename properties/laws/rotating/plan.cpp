@@ -71,9 +71,9 @@ LawResult plan_spares_the_work(const Case& problem, const Method& method) {
     if (said.effects != plan.effects || said.reasons != plan.reasons) {
       fault = "plan() says otherwise than what is simulated";
     } else if (plan.effects == Effects::rotating && !engine::turns(seen)) {
-      fault = "a rotating cast where neither body turns";
+      fault = "a rotating cast where neither body rotates";
     } else if (plan.effects != Effects::rotating && answer.counters.poses != 0) {
-      fault = "turning bodies are placed where no turn is to be simulated";
+      fault = "rotating bodies are placed where no rotation is to be simulated";
     } else if (plan.effects == Effects::nothing &&
                (answer.counters.supports != 0 || answer.outcome != Outcome::miss)) {
       fault = "bounds that never meet are searched";
@@ -84,7 +84,7 @@ LawResult plan_spares_the_work(const Case& problem, const Method& method) {
     }
     const Plan full = method.plan(seen, {.tolerance = tolerance, .economies = Economies::none()});
     if (fault.empty() && engine::turns(seen) && full.effects != Effects::rotating)
-      fault = "without economies a turn is not simulated";
+      fault = "without economies a rotation is not simulated";
     if (!fault.empty()) return broken(fault + ": " + describe(answer));
     result = holds({label_of(answer.outcome), to_text(plan.effects)});
   }
@@ -196,16 +196,16 @@ LawResult unseen_turn_is_none(const Case& problem, const Method& method) {
   const Answer one = method.ask(*spun, {}), two = method.ask(still, {});
   if (!linear || !follows_plan(method)) {
     return compare(method, {"with the turn", *spun, one}, {"without", still, two},
-                   "a turn that cannot be seen changes the answer");
+                   "a rotation that cannot be seen changes the answer");
   }
   if (one.plan.effects == Effects::rotating)
-    return broken("a turn that cannot be seen is simulated: " + describe(one));
+    return broken("a rotation that cannot be seen is simulated: " + describe(one));
   // By the same query, to the bit.
   if (one.plan.effects == two.plan.effects && !same_times(one, two))
-    return broken("a turn that cannot be seen changes the answer: " + pair_of(one, two));
+    return broken("a rotation that cannot be seen changes the answer: " + pair_of(one, two));
   if (!is_rotating_question(*spun)) return holds({label_of(one.outcome), "ray"});
   return labelled(compare(method, {"with the turn", *spun, one}, {"without", still, two},
-                          "a turn that cannot be seen changes the answer"),
+                          "a rotation that cannot be seen changes the answer"),
                   {"linear"});
 }
 
@@ -219,7 +219,7 @@ LawResult as_one_stands_still(const Case& problem, const Method& method) {
   still.b.displacement.setZero();
   const Answer one = method.ask(*alike, {}), two = method.ask(still, {});
   if (follows_plan(method) && one.plan.effects == Effects::rotating)
-    return broken("bodies that stand still to each other are simulated: " + describe(one));
+    return broken("bodies that stand still relative to each other are simulated: " + describe(one));
   return compare(method, {"both moving as one", *alike, one}, {"both at rest", still, two},
                  "moving as one changes the answer");
 }
@@ -231,7 +231,8 @@ std::vector<Law> rotating_plan_laws() {
       {"unturned_is_linear",
        "Without rotation the answer is the linear cast's. A start in contact may be followed instead.",
        Needs::metamorphic, &unturned_is_linear},
-      {"unseen_turn_is_none", "A ball's turn about its centre, or a solid's about its axis, changes nothing.",
+      {"unseen_turn_is_none",
+       "A ball's rotation about its centre, or a solid's about its axis, changes nothing.",
        Needs::metamorphic, &unseen_turn_is_none},
       {"as_one_stands_still", "Bodies that rotate and move as one meet at t = 0 or never.",
        Needs::metamorphic, &as_one_stands_still},

@@ -112,7 +112,7 @@ LawResult idle_pivot_is_nothing(const Case& problem, const Method& method) {
   const std::string what = difference(one, two);
   if (!what.empty()) {
     return broken(
-        fmt::format("the pivot of a body that does not turn changes the {}: {}", what, pair_of(one, two)));
+        fmt::format("the pivot of a body that does not rotate changes the {}: {}", what, pair_of(one, two)));
   }
   return holds({label_of(one.outcome), engine::turns(seen) ? "one turns" : "none turns"});
 }
@@ -157,12 +157,12 @@ std::vector<Law> rotating_symmetry_laws() {
        Needs::metamorphic, &turning_scaling},
       {"turning_translating", "Translating both bodies by an exact amount keeps the bracket.",
        Needs::metamorphic, &turning_translating},
-      {"turning_both", "Turning both bodies and their motion, or mirroring them, keeps the bracket.",
+      {"turning_both", "Rotating both bodies and their motion, or mirroring them, keeps the bracket.",
        Needs::metamorphic, &turning_both},
       {"pivot_is_a_line", "A pivot moved along its axis keeps the bracket.", Needs::metamorphic,
        &pivot_is_a_line},
-      {"idle_pivot_is_nothing", "The pivot of a body that does not turn changes nothing.", Needs::metamorphic,
-       &idle_pivot_is_nothing},
+      {"idle_pivot_is_nothing", "The pivot of a body that does not rotate changes nothing.",
+       Needs::metamorphic, &idle_pivot_is_nothing},
       {"turning_drifting", "A velocity that both bodies share keeps the bracket, and carries the witnesses.",
        Needs::metamorphic, &turning_drifting},
   };

@@ -168,7 +168,7 @@ std::vector<Law> rotating_time_laws() {
       {"turning_backwards",
        "On the way back contact is no later than T less the first one, and a miss stays a miss.",
        Needs::metamorphic, &turning_backwards},
-      {"whole_turn_is_all", "A body that only turns meets nothing new after a whole turn.",
+      {"whole_turn_is_all", "A body that only rotates meets nothing new after a full turn.",
        Needs::metamorphic, &whole_turn_is_all},
   };
 }

@@ -72,7 +72,8 @@ LawResult bad_turn_is_refused(const Case& problem, const Method& method) {
 
 std::vector<Law> rotating_validity_laws() {
   return {
-      {"bad_turn_is_refused", "A NaN, an infinity, 2^31 radians, or a seen turn without an end is refused.",
+      {"bad_turn_is_refused",
+       "A NaN, an infinity, 2^31 radians, or a visible rotation without an end is refused.",
        Needs::metamorphic, &bad_turn_is_refused},
   };
 }

@@ -4,7 +4,7 @@ import { block, count, h, nanoseconds, plural, short } from "./dom.js";
 
 const kColours = ["var(--a-ink)", "var(--b-ink)", "var(--contact)", "var(--proof)", "#8a8f2a", "#2a8f8a", "#b0589a", "#9a6b3f", "var(--soft)"];
 const kSymbols = ["circle", "square", "triangle", "diamond2", "star", "cross", "wye", "hexagon", "asterisk", "plus"];
-const kGroups = { smooth: "Smooth shapes", rotation: "Bodies that turn", sums: "Curved sums", large: "Large hulls", ties: "Near ties", polytopes: "Polytopes" };
+const kGroups = { smooth: "Smooth shapes", rotation: "Rotating bodies", sums: "Curved sums", large: "Large hulls", ties: "Near ties", polytopes: "Polytopes" };
 
 const series = (row) => `${row.method}/${row.scalar}`;
 const failed = (row) => row.failures.not_converged + row.failures.no_time + row.failures.refused;

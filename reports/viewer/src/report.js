@@ -5,7 +5,7 @@ import { block, count, h, nanoseconds, plural, short } from "./dom.js";
 import { pricePage } from "./price.js";
 
 const number = (x) => (x === "inf" ? Infinity : x);
-const kKinds = { linear: "Casts of bodies that do not turn", rotating: "Casts of bodies that turn", query: "Queries beside the cast" };
+const kKinds = { linear: "Linear casts", rotating: "Casts of rotating bodies", query: "Queries beside the cast" };
 const faulty = (one) => Object.values(one.faults).reduce((sum, n) => sum + n, 0);
 const rate = (part, whole) => (part === 0 ? "0" : `${count(part)}${whole > 0 ? ` (${short((100 * part) / whole, 1)} %)` : ""}`);
 // Errors over what is granted: 1 is the limit.
@@ -50,7 +50,7 @@ function verdict(data) {
 }
 
 function contents(data, others) {
-  const all = [others.length && ["engines", "Engines"], ["methods", "Who keeps what"], ["price", "Accuracy and time"], ["families", "By family"],
+  const all = [others.length && ["engines", "Engines"], ["methods", "Guarantees kept"], ["price", "Accuracy and time"], ["families", "By family"],
     ["worst", "Worst cases"], data.findings.length && ["findings", "Findings"], ["words", "Words"]].filter(Boolean);
   return h("nav", { class: "contents", "aria-label": "contents" }, all.map(([id, name]) => h("a", { href: `#${id}`, onclick: (event) => {
     event.preventDefault();
@@ -129,7 +129,7 @@ function keepers(data, methods, open) {
   };
   const part = (kind, inside) => inside && [h("h3", {}, kKinds[kind]), inside];
   const asked = table("query");
-  return h("section", { id: "methods" }, h("h2", {}, "Who keeps what, and at what price"),
+  return h("section", { id: "methods" }, h("h2", {}, "Guarantees kept, and their cost"),
     h("p", {}, "Each method on all its families together. An error at its limit is 1; press it to look at the case. Times are of this machine; which method to take for a game, a robot or a CAD tool, graze price --report says first."),
     part("linear", table("linear")), part("rotating", table("rotating")),
     asked && h("details", {}, h("summary", {}, `${kKinds.query}: ${plural(methods.filter((m) => m.kind === "query").length, "method")}`), asked));
@@ -233,12 +233,12 @@ function worstCases(data, open) {
   });
   return h("section", { id: "worst" }, h("h2", {}, "Worst cases"),
     h("p", {}, faults.length > 0 ? "Faults first; then, of each method, the case whose error is the largest part of its limit and the one that took the most support evaluations."
-      : "Nothing is at fault. Of each method, the case whose error is the largest part of its limit, the one that took the most support evaluations, and those that stall."),
+      : "Nothing is at fault. For each method, these are the case whose error is the largest part of its limit, the one that took the most support evaluations, and those that did not converge."),
     wide("Worst cases", h("table", {}, h("thead", {}, h("tr", {}, ["case", "method", "", "of its limit", faults.length > 0 && "why"].filter((name) => name !== false).map((name) => h("th", { scope: "col" }, name)))), h("tbody", {}, rows))));
 }
 
 function findings(data, open) {
-  return h("section", { id: "findings" }, h("h2", {}, "Findings"), h("p", {}, "Of each engine and kind of fault a case, made as small as it goes while the fault stays."),
+  return h("section", { id: "findings" }, h("h2", {}, "Findings"), h("p", {}, "One case for each engine and kind of fault, shrunk as far as the fault remains."),
     wide("Findings", h("table", {}, h("thead", {}, h("tr", {}, ["engine", "fault", "met in", "times", "case", "why"].map((name) => h("th", { scope: "col" }, name)))),
       h("tbody", {}, data.findings.map((one) => h("tr", {}, h("th", { scope: "row" }, one.method), h("td", {}, one.fault), h("td", {}, one.family), h("td", { class: "number" }, count(one.times)),
         h("td", {}, h("button", { type: "button", class: "open held", onclick: () => open(one.id, one.method) }, one.id)), h("td", { class: "why" }, one.reason)))))));

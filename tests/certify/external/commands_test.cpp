@@ -149,13 +149,13 @@ TEST(CampaignOfAnEngine, IsMergedWithoutIt) {
   EXPECT_EQ(merged.out, whole.out);
   expect_says(folder.graze(kCampaign + std::string("--shard 1/2 --state part1.json --tolerance 0.5 ") +
                            engine("none")),
-              2, {"part1.json is of another campaign", "held to something else"});
+              2, {"part1.json belongs to another campaign", "or their bounds differ"});
 }
 
 TEST(CampaignOfAnEngine, RefusesAPartThatItCannotBeAsked) {
   const Folder folder;
   expect_says(folder.graze("campaign --queries 5 --family size_ratio " + engine("none")), 2,
-              {"none of these says that it can be asked queries"});
+              {"none of these engines supports queries"});
 }
 
 // ---- graze stability ----
@@ -190,8 +190,8 @@ TEST(LawsOfAnEngine, HoldForAnHonestOne) {
   write_balls(folder);
   const CommandRun run = folder.graze("laws balls.jsonl " + engine("none"));
   expect_says(run, 0,
-              {"swapping", "never_late", "Every law holds", "laws are not asked of engines of others",
-               "which nobody promised", "requesting"});
+              {"swapping", "never_late", "Every law holds", "laws do not apply to third-party engines",
+               "which no engine guarantees", "requesting"});
   // At least one question was asked.
   EXPECT_EQ(folder.graze("laws --law swapping balls.jsonl " + engine("none")).exit_code, 0);
 }

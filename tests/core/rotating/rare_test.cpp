@@ -267,8 +267,8 @@ TEST(RotatingRare, EveryReasonHasItsOwnWords) {
   std::set<std::string_view> texts;
   for (int k = 0; k < kReasons; ++k) texts.insert(to_text(static_cast<PlanReason>(k)));
   EXPECT_EQ(texts.size(), static_cast<std::size_t>(kReasons));
-  EXPECT_EQ(to_text(PlanReason::unseen_spin_a), "A's turn cannot be seen");
-  EXPECT_EQ(to_text(PlanReason::unseen_spin_b), "B's turn cannot be seen");
+  EXPECT_EQ(to_text(PlanReason::unseen_spin_a), "A's rotation cannot be seen");
+  EXPECT_EQ(to_text(PlanReason::unseen_spin_b), "B's rotation cannot be seen");
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ TEST(Play, HoldsEachShapeOnceAndWhatHappens) {
   ASSERT_EQ(play["probe_events"].size(), 1U);
   // Six pairs: one that meets, and five that need not be looked at.
   const std::string sentence = play["spared"]["sentence"];
-  EXPECT_NE(sentence.find("Of 6 pairs 1 were simulated: 0 by a static overlap, 1 linear, 0 rotating."),
+  EXPECT_NE(sentence.find("1 of 6 pairs were simulated: 0 by a static overlap, 1 linear, 0 rotating."),
             std::string::npos)
       << sentence;
   EXPECT_NE(sentence.find("1 stay apart at rest, 4 have swept bounds that never meet"), std::string::npos)

@@ -33,7 +33,7 @@ Document document_in_float() {
 }
 
 TEST(PriceAdvice, AGameTakesTheCheapestThatIsRightToAThousandth) {
-  const Advice one = advice(document_in_float(), "a game", "that do not turn");
+  const Advice one = advice(document_in_float(), "a game", "that do not rotate");
   EXPECT_EQ(one.label, "mpr/float 1e-03") << one.because;
   EXPECT_EQ(one.call,
             "// Body<float>\ngraze::cast(a, b, {.method = graze::Method::mpr_sweep, .tolerance = 1e-03f})");
@@ -49,29 +49,29 @@ TEST(PriceAdvice, WhatIsOffByMoreOrLeavesAVerdictOpenIsNotForAGame) {
   Row& cheap = document.tables[0].rows.back();
   cheap.backward.worst = 2e-3;
   // The next cheaper one, mpr in double, is off by 2e-3 as well.
-  EXPECT_EQ(advice(document, "a game", "that do not turn").label, "gjk/double 1e-03");
+  EXPECT_EQ(advice(document, "a game", "that do not rotate").label, "gjk/double 1e-03");
   cheap.backward.worst = 1e-4;
   cheap.denied = 2e-3;  // a verdict that wrong is an error as large
-  EXPECT_EQ(advice(document, "a game", "that do not turn").because,
+  EXPECT_EQ(advice(document, "a game", "that do not rotate").because,
             "the next cheaper, mpr/double (0.25 times), is off by 2e-03 of scale");
   cheap.denied = 1e-7;
   cheap.failures.not_converged = 1;
-  EXPECT_EQ(advice(document, "a game", "that do not turn").label, "gjk/double 1e-03");
+  EXPECT_EQ(advice(document, "a game", "that do not rotate").label, "gjk/double 1e-03");
 }
 
 TEST(PriceAdvice, ARobotTakesNothingThatIsLateOrWrong) {
-  const Advice one = advice(planted_document(), "a robot", "that do not turn");
+  const Advice one = advice(planted_document(), "a robot", "that do not rotate");
   EXPECT_EQ(one.label, "certified/double");
   EXPECT_EQ(one.call, "// Body<double>\ngraze::cast(a, b, {.tier = graze::Tier::certified})");
   EXPECT_EQ(one.because, "the next cheaper, ca/double (3.00 times), is late in 2 of 10, by 1e-16 of scale");
   // A contender that was right by chance has no guarantee.
   Document document = planted_document();
   for (Row& row : document.tables[0].rows) row.late = row.wrong = 0;
-  EXPECT_EQ(advice(document, "a robot", "that do not turn").label, "certified/double");
-  EXPECT_EQ(advice(document, "a robot", "that do not turn").because,
+  EXPECT_EQ(advice(document, "a robot", "that do not rotate").label, "certified/double");
+  EXPECT_EQ(advice(document, "a robot", "that do not rotate").because,
             "the next cheaper, ca/double (3.00 times), is as right here, but its tier does not promise it");
   for (Row& row : document.tables[0].rows) row.late = 1;
-  EXPECT_EQ(advice(document, "a robot", "that do not turn").label, "");
+  EXPECT_EQ(advice(document, "a robot", "that do not rotate").label, "");
 }
 
 TEST(PriceAdvice, TierExactIsTakenWhereItCostsNoMore) {
@@ -94,11 +94,11 @@ TEST(PriceAdvice, ThePlanIsTakenWhereItCostsNoMore) {
   table.baseline = "bilateral/double";
   table.rows = {planted_row("bilateral", 1e-3, 0.50, 1e-6), planted_row("plan", 1e-3, 0.52, 1e-6)};
   for (Row& row : table.rows) row.question = "rotating cast";
-  Advice one = advice(document, "a game", "that turn");
+  Advice one = advice(document, "a game", "that rotate");
   EXPECT_EQ(one.label, "plan/double 1e-03");
   EXPECT_EQ(one.call, "// RotatingBody<double>\ngraze::cast(a, b, {.tolerance = 1e-03})");
   table.rows[1].ratio = Spread{.median = 0.6, .low = 0.6, .high = 0.6};
-  one = advice(document, "a game", "that turn");
+  one = advice(document, "a game", "that rotate");
   EXPECT_EQ(one.label, "bilateral/double 1e-03");
   EXPECT_EQ(
       one.call,
@@ -108,7 +108,7 @@ TEST(PriceAdvice, ThePlanIsTakenWhereItCostsNoMore) {
 
 TEST(PriceAdvice, OfBodiesThatNobodyWasAskedNothingIsSaid) {
   EXPECT_TRUE(advice_of(Document{}).empty());
-  EXPECT_EQ(find(advice_of(planted_document()), "a robot", "that turn"), nullptr);
+  EXPECT_EQ(find(advice_of(planted_document()), "a robot", "that rotate"), nullptr);
 }
 
 }  // namespace

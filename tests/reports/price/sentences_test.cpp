@@ -24,7 +24,7 @@ TEST(PriceSentences, TheCheapestThatIsNeverLateIsFoundByBothMeasures) {
   EXPECT_EQ(
       texts[0],
       "The cheapest method that is never late, not by a bit, and misses no contact on 1 family of linear "
-      "casts: certified/double, at 4.00 times the time of gjk/double; its worst error is 2e-15 of scale.");
+      "casts: certified/double, at 4.00 times the time of gjk/double, with a worst error of 2e-15 of scale.");
   // mpr is cheaper, and denies a contact.
   EXPECT_NE(texts[1].find(
                 "by more than 1e-12 of scale, and misses no contact that deep, on 1 family of linear casts: "
@@ -39,7 +39,7 @@ TEST(PriceSentences, OneThatGivesAVerdictAwayIsNotTheOneThatIsNeverWrong) {
   EXPECT_NE(texts[0].find(": gjk/double 1e-03, at 0.50 times"), std::string::npos) << texts[0];
   EXPECT_EQ(
       texts[1],
-      "Of polytopes alone the cheapest that is neither wrong nor late: certified/double, at 4.00 times the "
+      "On polytopes alone the cheapest that is neither wrong nor late: certified/double, at 4.00 times the "
       "time of gjk/double.");
 }
 

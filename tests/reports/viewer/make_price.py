@@ -61,6 +61,6 @@ print(json.dumps({
     "schema": "graze.price/1", "version": "0.0.0", "effort": "quick", "seed": 1, "rounds": 3, "finished": True, "seconds": 1.5,
     "machine": {"processor": "none: these numbers are made up", "cores": 1, "compiler": "none", "build": "none", "load": None},
     "tables": tables,
-    "advice": [advice("a game", "that do not turn", "mpr/float"), advice("a game", "that turn", "gjk/double 0.001"), advice("a robot", "that turn", None)],
+    "advice": [advice("a game", "that do not rotate", "mpr/float"), advice("a game", "that rotate", "gjk/double 0.001"), advice("a robot", "that rotate", None)],
     "sentences": [{"topic": "never_late", "text": "The cheapest that is never late is gjk."}, {"topic": "one_digit", "text": "One more digit costs 40 % on smooth shapes."}]},
     indent=None, separators=(",", ":")))

@@ -224,7 +224,7 @@ try {
       }
       if (kind === "price" && first) {
         const users = await page.value(`[...document.querySelectorAll("#advice .user")].map((user) => user.textContent)`);
-        check(users.length === 2 && /^For a game[^]*mpr\/float[^]*1 of 72 verdicts wrong, 6·10⁻⁸ from a tie[^]*gjk\/double 0.001/.test(users[0]) && /^For a robot.*that turn: none/.test(users[1]), `${name}: says to whom ${users.join(" | ")}`);
+        check(users.length === 2 && /^For a game[^]*mpr\/float[^]*1 of 72 verdicts wrong, 6·10⁻⁸ from a tie[^]*gjk\/double 0.001/.test(users[0]) && /^For a robot.*that rotate: none/.test(users[1]), `${name}: says to whom ${users.join(" | ")}`);
         check(await page.value(`document.querySelector("#advice").compareDocumentPosition(document.querySelector("#diagrams")) === Node.DOCUMENT_POSITION_FOLLOWING`), `${name}: which method to take does not come before the figures`);
         check(/^A table has (\d+ to )?\d+ cases/.test(await page.value(`document.querySelector("#sizes")?.textContent ?? ""`)), `${name}: the number of cases is not said`);
         const marks = await page.value(`document.querySelectorAll(".point > [tabindex]").length`);

@@ -100,7 +100,7 @@ TEST_F(CampaignCommand, SignalsStopItAndTheSameCommandGoesOn) {
                           command + R"(--threads 1 --state kept.json >out.txt 2>err.txt
       code=$?
       [[ $code == 124 || $code == 143 ]] || exit $code
-      grep -q 'the same command goes on from kept.json' err.txt || [[ ! -s err.txt ]] || exit 99
+      grep -q 'the same command continues from kept.json' err.txt || [[ ! -s err.txt ]] || exit 99
     done
     exit 98)");
   EXPECT_EQ(ended, 0);
@@ -120,7 +120,7 @@ TEST_F(CampaignCommand, TwoSignalsAtOnceAreOneRequest) {
     EXPECT_EQ(err.find("graze: stopping; what is being judged is finished first. Once more ends at once.\n"),
               0U)
         << err;
-    EXPECT_NE(err.find("the same command goes on from " + signal + ".json"), std::string::npos) << err;
+    EXPECT_NE(err.find("the same command continues from " + signal + ".json"), std::string::npos) << err;
     EXPECT_NE(folder.read(signal + ".json").find("graze.campaign/2"), std::string::npos);
   }
 }
@@ -148,9 +148,9 @@ TEST_F(CampaignCommand, BadInputIsNamedInOneLine) {
   expect_one_complaint("campaign --casts 1e30", "--casts");
   expect_one_complaint("campaign --threads -1", "--threads");
   expect_one_complaint("campaign --family grazzing", "grazzing is no family");
-  expect_one_complaint("campaign --family fast_spin", "turn");
-  expect_one_complaint("campaign --rotating 8 --family hulls", "no body of hulls turns");
-  expect_one_complaint("campaign --rotating 8 --method mpr", "mpr is no method for casts of turning bodies");
+  expect_one_complaint("campaign --family fast_spin", "rotate");
+  expect_one_complaint("campaign --rotating 8 --family hulls", "no body of hulls rotates");
+  expect_one_complaint("campaign --rotating 8 --method mpr", "mpr is no method for casts of rotating bodies");
   expect_one_complaint("campaign --queries 8 --method plan", "plan is no method for queries");
   expect_one_complaint("campaign --queries 0", "--queries");
   expect_one_complaint("campaign --casts 5 --per-family 5", "give one");
@@ -172,7 +172,7 @@ TEST_F(CampaignCommand, BadInputIsNamedInOneLine) {
   expect_one_complaint(kSmall + "--state kept.json --method exact/float", "the list of methods");
   expect_one_complaint(kSmall + "--state kept.json --shard 1/2", "the shard is 1/2 here and 1/1 there");
   expect_one_complaint(kSmall + "--state odd.json", "odd.json");
-  expect_one_complaint("campaign --rotating 8 --state kept.json", "kept.json is of another campaign");
+  expect_one_complaint("campaign --rotating 8 --state kept.json", "kept.json belongs to another campaign");
   folder.write("older.json", "{\"schema\": \"graze.campaign/1\"}");
   expect_one_complaint("merge older.json", "schema is \"graze.campaign/1\", not \"graze.campaign/2\"");
   EXPECT_EQ(folder.read("kept.json"), kept);

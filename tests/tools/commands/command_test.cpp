@@ -302,7 +302,7 @@ TEST(Certify, ARunThatJudgesNothingSaysWhyAndIsNoSuccess) {
   const CommandRun far = folder.graze("certify far.json");
   expect_one_complaint(far, {"no answer was judged", "test/far: it has a magnitude outside 1e-60 to 1e60"});
   EXPECT_EQ(far.out.find("Nothing was judged: 0 answers to 0 cases"), 0U) << far.out;
-  EXPECT_EQ(far.out.find("casts of turning bodies"), std::string::npos) << far.out;  // none was given
+  EXPECT_EQ(far.out.find("casts of rotating bodies"), std::string::npos) << far.out;  // none was given
   // Beside one that is judged they are no answers.
   const CommandRun both = folder.graze("certify balls.json far.json --method gjk --queries 0");
   EXPECT_EQ(both.exit_code, 0) << both.err;

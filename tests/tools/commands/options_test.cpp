@@ -107,15 +107,17 @@ TEST(Options, WhatIsSaidOfAnEngineWantsOne) {
   for (const std::string option : {"--time-limit 3", "--memory-limit 64", "--beyond-limits"}) {
     const std::string name = option.substr(0, option.find(' '));
     for (const std::string command : {"cast x.json ", "certify x.json ", "campaign --casts 10 ", "price "})
-      expect_one_complaint(folder.graze(command + option), name + ": is of engines of others; name one");
+      expect_one_complaint(folder.graze(command + option),
+                           name + ": applies to third-party engines; name one");
   }
   for (const std::string option : {"--needs-shape box", "--needs-answer time"}) {
     expect_one_complaint(folder.graze("certify x.json " + option),
                          "is what an engine must declare; name one");
   }
   expect_one_complaint(folder.graze("certify x.json --findings found"),
-                       "--findings: are of engines of others");
-  expect_one_complaint(folder.graze("certify x.json --report-cases 3"), "--report-cases: is of the report");
+                       "--findings: applies to third-party engines");
+  expect_one_complaint(folder.graze("certify x.json --report-cases 3"),
+                       "--report-cases: applies to the report");
   // The names that may be needed are said, which is a long line.
   const CommandRun run = folder.graze("certify x.json --needs-shape banana");
   EXPECT_EQ(run.exit_code, 2);

@@ -53,8 +53,8 @@ TEST(CastRotating, IsAnsweredByThePlanWhichTheTextShows) {
   const CommandRun run = scene.graze("cast bar.json ball.json");
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.out.find("method    plan, double, tier standard"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("plan      rotating: A's turn can be seen"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("plan      linear: B's turn cannot be seen"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("plan      rotating: A's rotation can be seen"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("plan      linear: B's rotation cannot be seen"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("poses"), std::string::npos);
 }
 
@@ -140,9 +140,9 @@ TEST(CastPlan, SaysWhatMustBeSimulatedAndWhyAndCastsNothing) {
   const Scene scene;
   const CommandRun text = scene.graze("cast --plan bar.json straight.json");
   ASSERT_EQ(text.exit_code, 0) << text.err;
-  EXPECT_NE(text.out.find("  plan      rotating\n  because   A's turn can be seen\n"), std::string::npos)
+  EXPECT_NE(text.out.find("  plan      rotating\n  because   A's rotation can be seen\n"), std::string::npos)
       << text.out;
-  EXPECT_NE(text.out.find("  plan      linear\n  because   neither body turns\n"), std::string::npos)
+  EXPECT_NE(text.out.find("  plan      linear\n  because   neither body rotates\n"), std::string::npos)
       << text.out;
   EXPECT_EQ(text.out.find("toi"), std::string::npos);
   const CommandRun run = scene.graze("cast --plan --json bar.json ball.json straight.json still.json");
@@ -150,8 +150,8 @@ TEST(CastPlan, SaysWhatMustBeSimulatedAndWhyAndCastsNothing) {
   const std::vector<std::string> lines = lines_of(run.out);
   ASSERT_EQ(lines.size(), 4U);
   const std::vector<std::string> effects = {"rotating", "linear", "linear", "static"};
-  const std::vector<std::string> reasons = {"A's turn can be seen", "B's turn cannot be seen",
-                                            "neither body turns", "nothing moves"};
+  const std::vector<std::string> reasons = {"A's rotation can be seen", "B's rotation cannot be seen",
+                                            "neither body rotates", "nothing moves"};
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const Json json = Json::parse(lines[i]);
     EXPECT_EQ(json.size(), 3U);

@@ -51,7 +51,7 @@ TEST(StabilityCommand, ASignalStopsItAndShowsWhatWasMeasured) {
                                       "--family needles --count 5000 --method gjk --save bad.jsonl");
   EXPECT_EQ(run.exit_code, 130);
   EXPECT_NE(run.out.find("Each method on each family"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("needles\nStopped: every method is as stable as its row says so far.\n"),
+  EXPECT_NE(run.out.find("needles\nStopped: every method is as stable as its guarantee says so far.\n"),
             std::string::npos)
       << run.out;
 }
