@@ -16,7 +16,7 @@ constexpr const char* kCurvedRods =
 constexpr OutOfReach kOutOfReach[] = {
     {"ray_is_point_cast", "",
      "hulls_rotated target_margin noisy_copy smooth_graze combinators mixed_magnitudes coaxial "
-     "rods_and_round smooth_depths round_ties",
+     "rods_and_round smooth_depths round_ties apexes",
      "the differences of rotated, noisy, rounded and many vertices, and of nested parts, are not doubles"},
     {"turning", "", "slivers far_own_frame",
      "changes of the last bits, or lengths far out, leave no room for the products of a rational rotation"},
