@@ -1,9 +1,9 @@
 // apexes: a round body on the tip of a pyramid, with the motion along their axis. Hardness: k, the line of motion passes
 // the tip at 10^-k of a size of 4. From 17 on it passes through it.
 //
-// The pyramids are over regular polygons, single or double. The other body is a ball, an ellipsoid, a cylinder, a cone, a
-// capsule or a small box, upright, on its side, or turned so that a diagonal is on the axis. It hangs in the pyramid, is
-// just out of the tip, or meets it later. C = A - B then has a curved apex on the line.
+// The pyramids are over regular polygons, single or double. The other body is a ball, an ellipsoid, a cylinder, a cone,
+// a capsule or a small rounded box, upright, on its side, or turned so that a diagonal is on the axis. It hangs in the
+// pyramid, is just out of the tip, or meets it later. C = A - B then has a curved apex on the line.
 //
 // This breaks a portal with a corner on the line: each step replaces one of the other two corners, and they orbit.
 #include <cmath>
@@ -18,7 +18,8 @@ Hull<double> pyramid(Draw& draw, double height) {
   Random& random = draw.random;
   const double radius = draw.real(random.uniform(1, 4));
   std::vector<Vec3<double>> corners;
-  for (const Point2& x : regular_polygon(random.integer(3, 5), random.integer(0, 2))) {
+  const int doublings = random.integer(0, 2), first = random.integer(3, 5);
+  for (const Point2& x : regular_polygon(first, doublings)) {
     corners.emplace_back(draw.real(radius * x[0]), draw.real(radius * x[1]), 0);
   }
   corners.emplace_back(0, 0, height);
@@ -69,7 +70,8 @@ void fill_apexes(Draw& draw, double hardness, Case& problem) {
       break;
   }
   constexpr double kHeights[] = {0, 0.5, 0.9, 1, 1.25, 3};
-  Vec3<double> meeting(off * random.integer(-1, 1), off * random.integer(-1, 1), 0);
+  Vec3<double> meeting = Vec3<double>::Zero();
+  for (const int i : {1, 0}) meeting[i] = off * random.integer(-1, 1);
   meeting[2] = kHeights[random.below(std::size(kHeights))] * height;
   const Vec3<double> v(0, 0, random.once_in(2) ? 32 : -32);
   // The body starts there, comes to it at a half, has left it, or passes by.
@@ -92,11 +94,7 @@ void fill_apexes(Draw& draw, double hardness, Case& problem) {
   set_motion(draw, problem, v);
   if (random.once_in(16)) problem.t_max = kInfinity<double>;
   vary_time_scale(draw, problem);
-  if (draw.coordinates == Coordinates::doubles && random.once_in(2)) {
-    turn_rounded(draw, problem);
-  } else {
-    turn_exactly(draw, problem);
-  }
+  turn_either_way(draw, problem);
   maybe_swap(draw, problem);
 }
 

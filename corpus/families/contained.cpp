@@ -100,11 +100,7 @@ void fill_contained(Draw& draw, double hardness, Case& problem) {
   if (random.once_in(2)) problem.start_policy = StartPolicy::pass_over;
   if (random.once_in(8)) problem.t_max = kInfinity<double>;
   vary_time_scale(draw, problem);
-  if (draw.coordinates == Coordinates::doubles && random.once_in(2)) {
-    turn_rounded(draw, problem);
-  } else {
-    turn_exactly(draw, problem);
-  }
+  turn_either_way(draw, problem);
   maybe_swap(draw, problem);
 }
 

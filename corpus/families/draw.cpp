@@ -488,6 +488,14 @@ void turn_rounded(Draw& draw, Case& problem) {
   turn(problem.b, problem.spin_b);
 }
 
+void turn_either_way(Draw& draw, Case& problem) {
+  if (draw.coordinates == Coordinates::doubles && draw.random.once_in(2)) {
+    turn_rounded(draw, problem);
+  } else {
+    turn_exactly(draw, problem);
+  }
+}
+
 void maybe_swap(Draw& draw, Case& problem) {
   if (!draw.random.once_in(2)) return;
   std::swap(problem.a, problem.b);

@@ -97,6 +97,8 @@ void turn_exactly(Draw& draw, Case& problem);
 // Turns the whole scene by an integer quaternion. Positions and displacements are rounded to the kind of
 // coordinate (floats or doubles).
 void turn_rounded(Draw& draw, Case& problem);
+// Half of the scenes in doubles are turned rounded, and all others exactly.
+void turn_either_way(Draw& draw, Case& problem);
 // Puts B on a path that brings a point of B's bounding box to a point of A's. Each point is the middle of the
 // box or the middle of a side. The meeting time is in 0 .. 2. The points may miss each other by `miss` at
 // most along each axis. A has its pose. B gets its position, v is of length 8 to 40, and the horizon is

@@ -185,10 +185,8 @@ void finish_exactly(Draw& draw, Case& problem) {
   vary_time_scale(draw, problem);
   if (random.once_in(6)) {
     // As it stands: z is up.
-  } else if (draw.coordinates == Coordinates::doubles && random.once_in(2)) {
-    turn_rounded(draw, problem);
   } else {
-    turn_exactly(draw, problem);
+    turn_either_way(draw, problem);
   }
   maybe_swap(draw, problem);
 }

@@ -89,7 +89,7 @@ void judge_start(Judgement& judgement, Truth& truth, const Answer& answer, const
   if (answer.outcome != Outcome::initially_overlapping || !judgement.wrong.empty()) return;
   if (method.is_ours()) {
     if (answer.has_normal() || answer.has_points || !answer.point_a.isZero(0) || !answer.point_b.isZero(0))
-      add_fault(judgement.bad_contact, "returns the contact of a start, and documents that there is none");
+      add_fault(judgement.bad_contact, "returns a contact of the start, which its documentation excludes");
     return;
   }
   if (asks_for(request, Request::normal) && answer.has_normal())
