@@ -14,11 +14,13 @@ function(graze_contract target)
   # g++ 12 takes its own AVX-512 intrinsics, and an empty optional, for used before they are set.
   target_compile_options(${target} PRIVATE -O2 -march=native -ffp-contract=fast -Wno-maybe-uninitialized)
 endfunction()
-set(core_sources certified exact queries rotating shapes standard)
+set(core_sources certified standard exact shapes queries rotating)
 list(TRANSFORM core_sources REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/core/src/\\1.cpp")
 add_library(graze_contracted_core OBJECT ${core_sources})
 target_link_libraries(graze_contracted_core PRIVATE graze_own graze::graze)
 graze_contract(graze_contracted_core)
+set_target_properties(graze_contracted_core PROPERTIES UNITY_BUILD ${GRAZE_UNITY} UNITY_BUILD_BATCH_SIZE 2
+                                                       UNITY_BUILD_CODE_AFTER_INCLUDE "#undef GRAZE_INSTANCES")
 
 function(graze_test name)
   cmake_parse_arguments(arg "STANDALONE;CONTRACTED" "" "LABELS;SOURCES;LIBRARIES" ${ARGN})
