@@ -25,7 +25,7 @@ import unit_tests  # noqa: E402
 
 # The translation units of the methods, the headers of core that they stand on, and the laws that ask them.
 METHODS = {"casts": ["cast.hpp"],
-           "queries": ["overlap.hpp", "penetration.hpp", "swept_overlap.hpp", "queries/exact_queries.hpp"],
+           "queries": ["overlap.hpp", "penetration.hpp", "swept_overlap.hpp", "detail/queries/exact_queries.hpp"],
            "rotating": ["rotating_cast.hpp"]}
 
 

@@ -5,6 +5,7 @@ compiler itself evaluates (template arguments, array sizes, case labels, constex
 is left out. Templates are visited where they are defined, so types may depend on a parameter; a mutation
 that does not compile is dropped later (mutate.py).
 """
+import contextlib
 import os
 import re
 import sys
@@ -18,6 +19,8 @@ def load_cindex():
         from clang import cindex
     except ImportError:
         sys.exit("graze: mutants need libclang's bindings for Python; install python3-clang-14")
+    with contextlib.suppress(ValueError):  # __builtin_bit_cast, which libclang 14 knows and its bindings do not
+        cindex.CursorKind(280)
     return cindex
 
 

@@ -1,6 +1,6 @@
 """Why lines and conditions of core are not covered: tests/coverage/reasons.txt.
 
-    file                 one line of a file of core, then its entries
+    file                 the name of a file of core, unique there, then its entries
       code | reason      a piece of the source line, and why nothing reaches it
 
 An entry covers the missed lines and conditions on source lines that hold that piece of code; `*` all of the file, and
@@ -34,7 +34,7 @@ def read_reasons(file: Path) -> dict[str, list[Reason]]:
 
 
 def reason_for(reasons: dict[str, list[Reason]], file: str, text: str) -> str | None:
-    for one in [*reasons.get(file, []), *reasons.get("*", [])]:
+    for one in [*reasons.get(Path(file).name, []), *reasons.get("*", [])]:
         if one.code == "*" or one.code in text:
             one.used = True
             return one.reason
