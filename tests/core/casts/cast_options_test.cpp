@@ -2,6 +2,7 @@
 // and parts of an answer that a right time does not confirm.
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
+#include <graze/detail/casts/robust_cast.hpp>
 #include <graze/detail/pairs/side.hpp>
 
 #include <graze/cast.hpp>
@@ -103,18 +104,26 @@ TEST(CastOptions, AToleranceMakesNoTimeLate) {
     const Body<double> a{.shape = prism(height, 1e-5)},
         b{.shape = prism(height, 1e-5), .position = {0, 0, -way}, .displacement = {0, 0, way}};
     const double toi = (way - 2 * height) / way;
-    for (const Method method : kMethods) {
-      for (const double tolerance : {2 * height / way, height / way, 1e-3}) {
-        const auto r = cast(a, b, {.method = method, .t_max = 2, .tolerance = tolerance});
-        ASSERT_EQ(r.outcome, Outcome::hit);
-        ++hits;
-        EXPECT_LE((r.toi_lower - toi) * way, 64 * kUnitRoundoff<double> * way)
-            << static_cast<int>(method) << ' ' << tolerance;
-        EXPECT_GE((r.toi_upper - toi) * way, -64 * kUnitRoundoff<double> * way);
+    const auto expect_right = [&](const CastResult<double>& r, double tolerance) {
+      ASSERT_EQ(r.outcome, Outcome::hit);
+      ++hits;
+      EXPECT_LE((r.toi_lower - toi) * way, 64 * kUnitRoundoff<double> * way)
+          << static_cast<int>(r.method) << ' ' << tolerance;
+      EXPECT_GE((r.toi_upper - toi) * way, -64 * kUnitRoundoff<double> * way);
+    };
+    for (const double tolerance : {2 * height / way, height / way, 1e-3}) {
+      CastOptions<double> options{.t_max = 2, .tolerance = tolerance};
+      for (const Method method : kMethods) {
+        options.method = method;
+        expect_right(cast(a, b, options), tolerance);
       }
+      // Without the quick walk, which answers these before.
+      CastResult<double> robust;
+      ASSERT_TRUE(detail::robust_mpr_sweep(a, b, options, robust));
+      expect_right(robust, tolerance);
     }
   }
-  EXPECT_EQ(hits, 400 * 9);
+  EXPECT_EQ(hits, 400 * 12);
 }
 
 TEST(CastOptions, EveryHitCountsItsSteps) {

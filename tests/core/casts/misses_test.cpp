@@ -1,5 +1,6 @@
 // Misses have an axis that says so, and hits lie on the path, also where the path runs almost along C.
 #include <gtest/gtest.h>
+#include <graze/detail/casts/robust_cast.hpp>
 #include <graze/detail/pairs/cso.hpp>
 #include <graze/detail/search/robust/mpr.hpp>
 
@@ -147,6 +148,12 @@ TEST(Misses, AnAxisOfRoundingAtAContactIsNone) {
     options.method = method;
     EXPECT_EQ(cast(a, b, options).outcome, Outcome::hit) << static_cast<int>(method);
   }
+  // cast() clips this ray. The searches answer it, too.
+  CastResult<double> ray, sweep;
+  ASSERT_TRUE(detail::robust_gjk_ray(a, b, options, ray));
+  ASSERT_TRUE(detail::robust_mpr_sweep(a, b, options, sweep));
+  EXPECT_EQ(ray.outcome, Outcome::hit);
+  EXPECT_EQ(sweep.outcome, Outcome::hit);
 }
 
 }  // namespace
