@@ -15,7 +15,7 @@ namespace graze::tool {
 // - every family in which a method has a fault
 // - families in which more answers did not converge than the guarantee allows, or any without a guarantee
 // - levels in which more did not converge than the guarantee's share, rounded up
-// - parts of which the oracle leaves a fraction above kMostUndecided undecided
+// - parts of whose cases the oracle leaves more than kMostUndecided undecided, rounded up to a whole case
 inline constexpr double kMostUndecided = 1e-3;
 [[nodiscard]] std::vector<std::string> campaign_failures(const CampaignState& state);
 

@@ -501,24 +501,26 @@ TEST(PlantedQuery, WhatIsOffIsCountedAndItsCaseAsksTheQuery) {
   }
 }
 
-TEST(Undecided, ItIsListedWithItsCaseAndAgreesWithNothing) {
+TEST(Undecided, TheyAreListedWithTheirCasesAndAgreeWithNothing) {
   const Small small(turning("certified"), "pure_spin", 32);
   CampaignState state = small.run(2);
-  const DrawnCase drawn = small.plan.parts()[0].cases.draw(3);
+  ASSERT_EQ(state.tally.total().undecided, 0U);
   CampaignCast open{.answer = {.outcome = Outcome::miss}};
   open.judgement.by_oracle = true;
   open.undecided = "clearance and depth are below the width";
-  const std::uint64_t before = state.tally.total().undecided;
+  const DrawnCase drawn = small.plan.parts()[0].cases.draw(3), other = small.plan.parts()[0].cases.draw(4);
   state.tally.add(1000, 0, small.turning, drawn, open);
-  EXPECT_EQ(state.tally.total().undecided, before + 1);
+  EXPECT_EQ(state.tally.total().undecided, 1U);
   EXPECT_EQ(state.tally.total().faults, 0U);
-  // One of 33 is more than 1 in 1,000.
-  ASSERT_EQ(campaign_failures(state).size(), 1U);
-  EXPECT_NE(campaign_failures(state)[0].find("undecided"), std::string::npos);
   EXPECT_NE(campaign_summary(state).find("undecided: " + drawn.problem.id), std::string::npos);
   const std::vector<corpus::Case> cases = undecided_cases(state);
-  ASSERT_EQ(cases.size(), before + 1);
+  ASSERT_EQ(cases.size(), 1U);
   EXPECT_TRUE(corpus::same_case(cases.back(), drawn.problem));
+  // 1 in 1,000, rounded up: one of 33 is allowed, and two are not.
+  EXPECT_TRUE(campaign_failures(state).empty());
+  state.tally.add(1001, 0, small.turning, other, open);
+  ASSERT_EQ(campaign_failures(state).size(), 1U);
+  EXPECT_NE(campaign_failures(state)[0].find("undecided"), std::string::npos);
 }
 
 TEST(Stalls, ALevelMayHaveTheShareOfItsRowRoundedUp) {
