@@ -25,7 +25,7 @@ struct Scene {
     Draw draw{8};
     for (std::size_t i = 0; i < kDirections; ++i) directions.push_back(draw.vector<S>(1).normalized());
   }
-  // Of the mapped hull, which may have none.
+  // The map of the hull, which may be empty.
   [[nodiscard]] const detail::DirectionMap& map() const { return mapped.graph().map; }
 };
 

@@ -1,8 +1,8 @@
 // Answers that were made elsewhere, at another time, as methods that can be judged: to each case the line that answers its
 // id.
 //
-// Whoever asked made a question from the case by themselves, so that the case is taken as it was given, rounded to the
-// scalar, in its own unit of length.
+// The engine's author made the question from the case. So the case is taken as it was given, rounded to the scalar, in its
+// own unit of length.
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
 /// @file
-/// A body: a shape, where it is at t = 0, and how it moves over one unit of t.
+/// A body: a shape, its pose at t = 0, and its displacement over one unit of t.
 #pragma once
 
 #include <graze/shape.hpp>
@@ -12,7 +12,7 @@ namespace graze { inline namespace GRAZE_LINKAGE {
 ///
 ///     position + R(orientation) x + t displacement.
 ///
-/// Invalid lists what a query refuses. Use body_at() of eigen.hpp if the pose is an `Eigen::Isometry3d`, and
+/// Invalid lists the inputs that a query refuses. Use body_at() of eigen.hpp if the pose is an `Eigen::Isometry3d`, and
 /// RotatingBody if the body rotates.
 ///
 /// @code
@@ -20,6 +20,9 @@ namespace graze { inline namespace GRAZE_LINKAGE {
 ///     .shape = graze::Box<double>{{0.5, 0.5, 0.5}}, .position = {0, 0, 10}, .displacement = {0, 0, -20}};
 /// const std::vector<graze::Body<double>> bodies = {crate, {.shape = graze::Sphere<double>{1}}, {.position = {1, 0, 0}}};
 /// assert(crate.orientation.is_identity() && bodies[0].position == crate.position);
+///
+/// const graze::Body<double> refused{.position = {graze::kLeastMagnitude / 2, 0, 0}};  // below the range
+/// assert(graze::validate(refused) == graze::Invalid::out_of_range);
 /// @endcode
 template <Scalar S>
 struct Body {

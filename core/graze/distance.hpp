@@ -12,7 +12,7 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
-/// The options of distance().
+/// The options of distance(). Options out of range are `invalid_input`.
 template <Scalar S>
 struct DistanceOptions {
   Request request = Request::normal | Request::witnesses;  ///< The results to compute. There is no proof.
@@ -27,13 +27,13 @@ struct DistanceResult {
   Invalid invalid = Invalid::none;  ///< If it is not none, nothing else but `invalid_at` is valid.
   InvalidAt invalid_at = {};        ///< The place of an invalid input.
   S lower = 0;                      ///< The lower end of the bracket of the distance, a length. 0 in contact.
-  S upper = kInfinity<S>;           ///< The upper end. 0 in contact.
+  S upper = kInfinity<S>;           ///< The upper end of the bracket. 0 in contact.
   bool stalled = false;             ///< The requested width was not reached. The bracket is valid.
   /// If lower > 0, and if requested: unit, from A to B, world axes.
   Vec3<S> normal = Vec3<S>::Zero();
   /// If lower > 0, and if requested: the closest point of A, in world coordinates.
   Vec3<S> point_a = Vec3<S>::Zero();
-  Vec3<S> point_b = Vec3<S>::Zero();  ///< That of B.
+  Vec3<S> point_b = Vec3<S>::Zero();  ///< The closest point of B, likewise.
   WarmStart warm;     ///< For the next query about the pair. It is empty if there is nothing to keep.
   Counters counters;  ///< The work that was done.
 };
@@ -42,7 +42,8 @@ struct DistanceResult {
 ///
 /// The guarantee is lower <= distance <= upper up to kappa u scale (in the table of guarantees). If the bodies are
 /// apart by more than that, the normal proves `lower`: the slab between the bodies across it is at least that wide.
-/// Nothing is thrown or allocated. It evaluates the support function a few times to some ten times.
+/// Invalid input is in `invalid` and `invalid_at`. Nothing is thrown or allocated. It evaluates the support function 1
+/// to 10 times typically, and 3 to 50 times for cylinders, cones and ellipsoids.
 ///
 /// @code
 /// const graze::Body<double> floor{.shape = graze::Box<double>{{50, 50, 1}}, .position = {0, 0, -1}};
@@ -53,6 +54,10 @@ struct DistanceResult {
 /// ball.position[2] = 2.4;  // the next step begins where the last one ended
 /// r = graze::distance(floor, ball, {.start = r.warm});
 /// assert(std::abs(r.lower - 1.9) < 1e-12);
+///
+/// const graze::DistanceOptions<double> coarse{.request = graze::Request::verdict, .tolerance = 1e-3};
+/// r = graze::distance(floor, ball, coarse);  // the bracket alone
+/// assert(r.lower <= 1.9 && 1.9 <= r.upper && !r.stalled && r.normal.isZero());
 /// @endcode
 template <Scalar S>
 DistanceResult<S> distance(const Body<S>& a, const Body<S>& b, const DistanceOptions<S>& options = {});

@@ -26,6 +26,11 @@ template <class Points>
 using PointOf = typename decltype(std::span(std::declval<const Points&>()))::value_type;
 /// Points one after the other in memory: a vector, an array or a span of `Vec3<float>` or `Vec3<double>`, which are
 /// `Eigen::Vector3f` and `Eigen::Vector3d`.
+///
+/// @code
+/// static_assert(graze::PointList<std::vector<Eigen::Vector3f>> && graze::PointList<std::array<Eigen::Vector3d, 4>>);
+/// static_assert(!graze::PointList<std::vector<double>>);  // numbers, not points
+/// @endcode
 template <class Points>
 concept PointList = std::same_as<PointOf<Points>, Vec3<float>> || std::same_as<PointOf<Points>, Vec3<double>>;
 
@@ -42,6 +47,7 @@ concept PointList = std::same_as<PointOf<Points>, Vec3<float>> || std::same_as<P
 /// const std::vector<Eigen::Vector3d> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 /// const graze::Hull hull(points);  // its scalar is that of the points
 /// assert(hull.size() == 4 && hull.finite() && !hull.has_adjacency());
+/// assert(hull.vertices()[1] == points[1] && hull.largest() == 1);
 /// @endcode
 template <Scalar S>
 class Hull {

@@ -11,19 +11,20 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
-/// The options of line() and line_exact().
+/// The options of line() and line_exact(). Options out of range are `invalid_input`.
 template <Scalar S>
 struct LineOptions {
   Request request = Request::normal;  ///< The results to compute. There are no witnesses and no proof.
   S target_distance = 0;              ///< m, a length: contact is when the distance reaches m.
-  S tolerance = 0;           ///< Convergence target, a length over scale. 0 stops at the rounding bound.
-  int max_iterations = 256;  ///< The largest number of portal steps of each end.
+  /// Convergence target, a length over scale. 0 stops at the rounding bound. line_exact() only checks it.
+  S tolerance = 0;
+  int max_iterations = 256;  ///< The largest number of portal steps of each end. line_exact() only checks it.
 };
 
 /// The answer of line() and line_exact().
 template <Scalar S>
 struct LineResult {
-  /// hit ([t_in, t_out] is not empty), miss (it is empty), not_converged (the brackets are what is known) or
+  /// hit ([t_in, t_out] is not empty), miss (it is empty), not_converged (the brackets are valid, but wide) or
   /// invalid_input.
   Outcome outcome = Outcome::invalid_input;
   Invalid invalid = Invalid::none;  ///< For invalid_input: the reason.
@@ -42,8 +43,12 @@ struct LineResult {
 
 /// From when to when do the bodies touch? World axes, the caller's units, and t in units of the displacement.
 ///
-/// Bodies at rest relative to each other touch at all times or at none. Nothing is thrown or allocated. It takes
-/// about as long as two casts.
+/// Bodies at rest relative to each other touch at all times or at none. Invalid input is the outcome `invalid_input`.
+/// Nothing is thrown or allocated.
+///
+/// It evaluates the support function 12 to 30 times typically for polytopes, twice as often as a cast. Curved and
+/// rounded shapes take 30 to 150. In time it costs several casts of polytopes, and far more casts of spheres and
+/// capsules. If only the first contact matters, call cast().
 ///
 /// @code
 /// const graze::Body<double> wall{.shape = graze::Box<double>{{1, 5, 5}}, .position = {10, 0, 0}};
@@ -55,7 +60,22 @@ struct LineResult {
 template <Scalar S>
 LineResult<S> line(const Body<S>& a, const Body<S>& b, const LineOptions<S>& options = {});
 /// The same for the true shapes: each end is between two neighbouring numbers S, or is one. Only for the shapes of
-/// the exact tier (cast.hpp), without a target distance. Others are `invalid_input`.
+/// the exact tier (cast.hpp). Others are `invalid_input` (Invalid::not_exact).
+///
+/// For polytopes it takes about as long as line(). Spheres, capsules, rounded shapes and a target distance take another
+/// search, which allocates memory and takes milliseconds (0.3 ms for two spheres, 10 ms for two boxes at a target
+/// distance). Counters::supports leaves it out.
+///
+/// @code
+/// const graze::Body<double> wall{.shape = graze::Box<double>{{1, 5, 5}}, .position = {10, 0, 0}};
+/// const graze::Body<double> ray{.displacement = {3, 0, 0}};
+/// const graze::LineResult<double> r = graze::line_exact(wall, ray);
+/// assert(r.in_lower == 3 && r.in_upper == 3);
+/// assert(r.out_upper == std::nextafter(r.out_lower, 4));  // 11/3 is not a double
+///
+/// const graze::LineOptions<double> options{.target_distance = 3};  // within 3 of the wall
+/// assert(graze::line_exact(wall, ray, options).in_lower == 2);
+/// @endcode
 template <Scalar S>
 LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S>& options = {});
 

@@ -1,5 +1,5 @@
 /// @file
-/// Plans: what must be simulated for a pair of bodies that may rotate, and why.
+/// Plans: the effects that must be simulated for a pair of bodies that may rotate, and the reasons.
 #pragma once
 
 #include <graze/result.hpp>
@@ -32,7 +32,7 @@ struct Economies {
   [[nodiscard]] static constexpr Economies none() { return {false, false, false, false}; }
 };
 
-/// Why a plan is what it is.
+/// The reasons for a plan.
 enum class PlanReason : std::uint8_t {
   nothing_moves,      ///< The bodies do not move relative to each other.
   no_rotation,        ///< Neither body rotates.
@@ -43,7 +43,7 @@ enum class PlanReason : std::uint8_t {
   rotation_a,         ///< A rotates visibly.
   rotation_b,         ///< B rotates visibly.
 };
-/// The number of reasons.
+/// The number of reasons: PlanReason k exists for 0 <= k < kPlanReasons.
 inline constexpr int kPlanReasons = 8;
 
 /// "nothing", "static", "linear" or "rotating".
@@ -92,9 +92,16 @@ inline constexpr int kPlanReasons = 8;
 /// plan.add(graze::PlanReason::rotation_b);
 /// assert(plan.has(graze::PlanReason::rotation_b) && !plan.has(graze::PlanReason::rotation_a));
 /// assert(to_text(plan.effects) == "rotating");
+///
+/// std::string reasons;
+/// for (int k = 0; k < graze::kPlanReasons; ++k) {
+///   const auto reason = static_cast<graze::PlanReason>(k);
+///   if (plan.has(reason)) reasons += to_text(reason);
+/// }
+/// assert(reasons == "B's rotation can be seen");
 /// @endcode
 struct Plan {
-  Effects effects = Effects::rotating;  ///< What is simulated.
+  Effects effects = Effects::rotating;  ///< The effects that must be simulated.
   std::uint16_t reasons = 0;            ///< Bit k is set if PlanReason k holds.
 
   /// True if the reason holds.

@@ -28,12 +28,12 @@ struct PreparedBody;  // detail/pairs/prepared_body.hpp
 template <Scalar S>
 class Prepared {
  public:
-  /// Validates and prepares the body, in the time of its vertices.
+  /// Validates and prepares the body. It takes time proportional to the number of vertices, and allocates memory.
   explicit Prepared(const Body<S>& body);
 
   /// The body as it was given.
   [[nodiscard]] const Body<S>& body() const;
-  /// Invalid::none, or why the body is refused.
+  /// Invalid::none, or the reason why every query with the body is `invalid_input`.
   [[nodiscard]] Invalid invalid() const;
   /// @cond
   // For the queries.

@@ -47,6 +47,16 @@ struct SupportPair {
 };
 
 /// One factor of a symbolic axis.
+///
+/// @code
+/// // Two boxes meet face to face. The exact axis is a cross product of two differences.
+/// const graze::Body<double> wall{.shape = graze::Box<double>{{1, 5, 5}}, .position = {10, 0, 0}};
+/// const graze::Body<double> cube{.shape = graze::Box<double>{{1, 1, 1}}, .displacement = {20, 1, 0}};
+/// const graze::CastResult<double> r =
+///     graze::cast(wall, cube, {.tier = graze::Tier::exact, .request = graze::Request::proof});
+/// assert(r.proof->symbolic && r.proof->nearest.size == 0);
+/// for (const graze::AxisFactor& factor : r.proof->factor) assert(to_text(factor.kind) == "difference");
+/// @endcode
 struct AxisFactor {
   /// The source of the factor.
   enum class Kind : std::uint8_t {
@@ -87,7 +97,8 @@ struct NearestAxis {
   bool motion = false;              ///< True if v is one of the directions.
 };
 
-/// The proof of a linear cast: what it claims, and what the claims rest on. CastResult::proof holds it, if requested.
+/// The proof of a linear cast: its claims, and the axis and the portal that they rest on. CastResult::proof holds it,
+/// if requested.
 ///
 /// `graze cast --proof` writes it to a file, and `graze check` verifies it.
 ///
@@ -97,6 +108,29 @@ struct NearestAxis {
 /// const graze::CastResult<double> r =
 ///     graze::cast(wall, ball, {.tier = graze::Tier::exact, .request = graze::Request::proof});
 /// assert(r.proof && r.proof->toi_lower <= 0.4 && 0.4 <= r.proof->toi_upper);
+///
+/// // For a rounded shape, the axis of an exact answer is symbolic: here two corners of the wall, and the time.
+/// const graze::NearestAxis& nearest = r.proof->nearest;
+/// assert(r.proof->symbolic && nearest.size == 2 && std::abs(nearest.time - 0.4) < 1e-15);
+/// @endcode
+///
+/// @code
+/// // Reads the proof of a ray that meets the wall at t = 9 / 20.
+/// const graze::Body<double> wall{.shape = graze::Box<double>{{1, 5, 5}}, .position = {10, 0, 0}};
+/// const graze::Body<double> ray{.displacement = {20, 0, 0}};
+/// const graze::CastResult<double> r = graze::cast(wall, ray, {.request = graze::Request::proof});
+/// const graze::Proof& proof = *r.proof;
+///
+/// // From below: C is the wall, and its least x is 9. For this axis h(n) = 9 n_x, so TOI >= h(n) / (n.v) = 0.45.
+/// assert(proof.has_axis && !proof.symbolic && proof.axis[0] < 0 && proof.axis[1] == 0 && proof.axis[2] == 0);
+///
+/// // From above: three corners of the side at x = 9, which the ray crosses between them. Bit 0 of their index is 0.
+/// assert(proof.portal_size == 3 && !proof.of_cores);
+/// for (int i = 0; i < proof.portal_size; ++i) {
+///   const graze::SupportPair& pair = proof.portal[static_cast<std::size_t>(i)];
+///   const graze::Feature& corner = pair.a;
+///   assert((corner.vertex & 1) == 0 && corner.offset.isZero() && pair.b.vertex == 0);
+/// }
 /// @endcode
 struct Proof {
   /// The claim TOI >= toi_lower. Infinity claims a miss. 0 claims nothing and needs no axis.

@@ -63,7 +63,7 @@ enum class Method : std::uint8_t {
   return {};
 }
 
-/// How much an answer guarantees. scale is the size of the scene, and u the unit roundoff.
+/// How much an answer guarantees. cast.hpp says what scale is. u is the unit roundoff.
 enum class Tier : std::uint8_t {
   /// True for some convex set within kappa u scale of C = A - B. The table of guarantees has kappa for each method.
   standard,
@@ -88,8 +88,9 @@ enum class StartPolicy : std::uint8_t {
   report,  ///< It is the answer: initially_overlapping.
   /// A start that the motion leaves, or along which it slides, does not count.
   ///
-  /// *Linear casts*: the answer is a miss if n.v >= 0 for some n != 0 with h(n) <= 0. Here v is the relative motion
-  /// and h the support function of C without the target distance. Any other start in contact is reported.
+  /// *Linear casts*: the start is passed over if the bodies touch without depth, and B moves away from A or along it.
+  /// In formulas, n.v >= 0 for some n != 0 with h(n) <= 0. Here v is B's motion less A's, and h the support function
+  /// of C without the target distance. Any other start in contact is reported.
   ///
   /// *Rotating casts* follow a start that is no deeper than kappa u scale. The hit is where the contact gets deeper,
   /// or where the bodies touch again after they were apart by more than rounding. Without either, the answer is a
@@ -126,7 +127,7 @@ enum class Request : std::uint8_t {
 [[nodiscard]] constexpr Request operator|(Request l, Request r) {
   return static_cast<Request>(static_cast<unsigned>(l) | static_cast<unsigned>(r));
 }
-/// True if `request` includes something of `what`.
+/// True if `request` and `what` have a part in common.
 [[nodiscard]] constexpr bool asks_for(Request request, Request what) {
   return (static_cast<unsigned>(request) & static_cast<unsigned>(what)) != 0;
 }
@@ -332,7 +333,7 @@ struct CastOptions {
   Tier tier = Tier::standard;  ///< Guarantee of the answer.
   /// The method of the standard tier. The other tiers have one each. Without a method, it is mpr_sweep for points,
   /// segments, triangles, boxes and hulls without a target distance, and for ellipsoids, cylinders and cones beside
-  /// each other or beside any of these, spheres and capsules. For every other pair it is gjk_ray_cast.
+  /// each other, or against any of these, a sphere or a capsule. For every other pair it is gjk_ray_cast.
   //
   // Measured, time of gjk over mpr: 1.0 to 2.2 on polytopes (1.3 random, 2.2 grazing), and 0.05 to 0.5 on spheres,
   // capsules and rounded shapes.
@@ -370,7 +371,15 @@ struct Counters {
   }
 };
 
-/// The answer of a linear cast. Advance a simulation to `toi_lower`.
+/// The answer of a linear cast. After a hit, advance a simulation to `toi_lower`.
+///
+/// | outcome | what to do |
+/// |---|---|
+/// | hit | move both bodies to `toi_lower`, and respond along `normal` |
+/// | miss | move both bodies to the end of the motion |
+/// | initially_overlapping | ask penetration() for depth and direction, or cast again with StartPolicy::pass_over |
+/// | not_converged | move to `toi_lower`. No contact comes before it. A certified tie: treat it as a hit |
+/// | invalid_input | read `invalid_at`. Nothing else is set |
 template <Scalar S>
 struct CastResult {
   Outcome outcome = Outcome::invalid_input;  ///< Contact or no contact.
@@ -381,7 +390,8 @@ struct CastResult {
   /// infinite for miss, and NaN for invalid_input.
   S toi_lower = std::numeric_limits<S>::quiet_NaN();
   S toi_upper = std::numeric_limits<S>::quiet_NaN();  ///< The upper end of the bracket.
-  /// For hit and not_converged, a length: at `toi_lower` the bodies' distance exceeds the target distance by no more.
+  /// For hit and not_converged, a length: the gap at `toi_lower`, from above. The gap is the distance of the bodies less
+  /// the target distance.
   /// For a tie that the certified tier leaves open it is at most kLinearCertifiedWidth of scale, and a caller may
   /// treat it as contact.
   S distance = 0;
@@ -392,9 +402,9 @@ struct CastResult {
   Vec3<S> normal = Vec3<S>::Zero();
   /// For the same outcomes, if requested: the contact point of A at `toi_lower`, in world coordinates.
   Vec3<S> point_a = Vec3<S>::Zero();
-  Vec3<S> point_b = Vec3<S>::Zero();  ///< That of B.
-  /// For hit, miss and not_converged, if requested. A bound is absent if rounding leaves nothing that holds without
-  /// condition.
+  Vec3<S> point_b = Vec3<S>::Zero();  ///< The contact point of B.
+  /// For hit, miss and not_converged, if requested. A bound that rounding leaves unproved claims nothing: its
+  /// `toi_lower` is 0, or its `toi_upper` infinite.
   std::optional<Proof> proof;
   Counters counters;  ///< The work that was done.
 };

@@ -1,5 +1,5 @@
 /// @file
-/// A body that may also rotate.
+/// A body that may also rotate: a Body, its rotation over one unit of t, and the pivot.
 #pragma once
 
 #include <graze/body.hpp>
@@ -21,6 +21,15 @@ namespace graze { inline namespace GRAZE_LINKAGE {
 ///     .rotation = {0, 0, 1.5707963267948966},
 ///     .pivot = {-0.4, 0, 0}};
 /// assert(door.pivot == -door.body.position);
+///
+/// // A fan at a pose of Eigen's (eigen.hpp) rotates about its own centre.
+/// Eigen::Isometry3d pose(Eigen::Translation3d(0, 0, 2));
+/// pose.rotate(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()));
+/// const graze::RotatingBody<double> fan{.body = {.shape = graze::Box<double>{{0.5, 0.1, 0.02}},
+///                                                .position = pose.translation(),
+///                                                .orientation = graze::orientation_of(pose)},
+///                                       .rotation = {0, 0, 6}};
+/// assert(fan.body.position[2] == 2 && fan.body.orientation.z > 0);
 /// @endcode
 template <Scalar S>
 struct RotatingBody {

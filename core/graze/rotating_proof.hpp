@@ -10,8 +10,8 @@
 /// The slices follow each other from t = 0. Together they say that there is no contact before toi_lower.
 ///
 /// **Contact** at toi_upper: k <= 6 support pairs (a_i, b_i) with weights l_i >= 0, not all 0. Let c_i = a_i - b_i at
-/// that time, offsets included. Let r_i be what the offsets leave of the radii that the vertices of the two cores
-/// carry (sphere, capsule, rounded). Contact is proved in one of these ways:
+/// that time, offsets included. Let r_i be the part of the radii of the two cores' vertices (sphere, capsule, rounded)
+/// that the offsets do not use up. Contact is proved in one of these ways:
 ///
 /// - |sum l_i c_i| <= sum l_i (r_i + m).
 /// - k >= 4, and four points hold the origin strictly inside their hull. They are c_0, c_1, c_2, and c_3, or for k >
@@ -52,7 +52,8 @@ enum class AxisFrame : std::uint8_t {
 
 /// A slice of time in which an axis separates the bodies.
 struct TimeSlice {
-  double end = 0;                            ///< It begins where the slice before it ends, the first at 0.
+  /// The time at which it ends. It begins where the slice before it ends, the first at 0.
+  double end = 0;
   Vec3<double> axis = Vec3<double>::Zero();  ///< World axes, at t = 0 if it rotates. Not normalised.
   AxisFrame frame = AxisFrame::world;        ///< Frame in which the axis is fixed.
 };
@@ -60,8 +61,8 @@ struct TimeSlice {
 /// The most support pairs that prove contact.
 inline constexpr std::size_t kContactPairs = 6;
 
-/// The proof of a rotating cast: what it claims, and what the claims rest on. RotatingResult::proof holds it, if
-/// requested.
+/// The proof of a rotating cast: its claims, and the slices and the contact that they rest on. RotatingResult::proof
+/// holds it, if requested.
 ///
 /// @code
 /// // A blade of half length 2 rotates by half a turn beside a post that it does not reach.
@@ -72,6 +73,15 @@ inline constexpr std::size_t kContactPairs = 6;
 /// const graze::RotatingResult<double> r =
 ///     graze::cast(blade, post, {.tier = graze::Tier::certified, .request = graze::Request::proof});
 /// assert(r.outcome == graze::Outcome::miss && r.proof && r.proof->toi_lower == graze::kInfinity<double>);
+///
+/// // Slices follow each other from 0 to t_max. Here every axis is fixed in the world, and leads to the post.
+/// const graze::RotatingProof& proof = *r.proof;
+/// double begin = 0;
+/// for (const graze::TimeSlice& slice : proof.chain) {
+///   assert(slice.end > begin && slice.frame == graze::AxisFrame::world && slice.axis[1] > 0);
+///   begin = slice.end;
+/// }
+/// assert(begin >= 1 && proof.contact_size == 0);
 /// @endcode
 struct RotatingProof {
   /// The claim TOI >= toi_lower. Infinity claims a miss: no contact in [0, t_max]. 0 claims nothing.

@@ -44,7 +44,7 @@ enum class RotatingMethod : std::uint8_t {
 template <Scalar S>
 struct RotatingOptions {
   Tier tier = Tier::standard;  ///< Guarantee of the answer. exact is only for invisible rotations.
-  std::optional<RotatingMethod> method = {};               ///< The method, or by the plan.
+  std::optional<RotatingMethod> method = {};               ///< The method. Without one, the plan decides.
   Economies economies = {};                                ///< Savings that the plan may use.
   Request request = Request::normal | Request::witnesses;  ///< The results to compute.
   S t_max = 1;            ///< The end of the cast. It is finite if a rotation is visible.
@@ -81,8 +81,8 @@ struct RotatingResult {
   Vec3<S> normal = Vec3<S>::Zero();
   /// For the same outcomes, if requested: the contact point of A at `toi_lower`, in world coordinates.
   Vec3<S> point_a = Vec3<S>::Zero();
-  Vec3<S> point_b = Vec3<S>::Zero();   ///< That of B.
-  std::optional<RotatingProof> proof;  ///< If requested.
+  Vec3<S> point_b = Vec3<S>::Zero();   ///< The contact point of B, likewise.
+  std::optional<RotatingProof> proof;  ///< If requested: the proof of the bracket.
   Counters counters;                   ///< The work that was done.
 };
 

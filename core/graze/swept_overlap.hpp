@@ -38,7 +38,8 @@ enum class SweptMethod : std::uint8_t {
   return {};
 }
 
-/// The options of swept_overlap() and swept_overlap_exact().
+/// The options of swept_overlap() and swept_overlap_exact(). Options out of range are `invalid_input`.
+/// swept_overlap_exact() only checks `max_iterations`.
 template <Scalar S>
 struct SweptOverlapOptions {
   SweptMethod method = SweptMethod::gjk;  ///< The search. swept_overlap_exact() does not read it.
@@ -59,8 +60,12 @@ struct SweptOverlapResult {
   Counters counters;  ///< The work that was done.
 };
 
-/// Do the bodies touch at any t in [0, t_max]? World axes, the caller's units. It is cheaper than a cast, which also
-/// says when. Nothing is thrown or allocated.
+/// Do the bodies touch at any t in [0, t_max]? World axes, the caller's units, and t in units of the displacement.
+/// Invalid input is the outcome `invalid_input`. Nothing is thrown or allocated.
+///
+/// By GJK it evaluates the support function 3 to 10 times typically. For polytopes it is cheaper than a cast, and MPR
+/// takes 0.7 of GJK's time (costs.md). For spheres, capsules and other curved shapes it saves no time over a cast. MPR
+/// may then take 100 evaluations.
 ///
 /// @code
 /// const graze::Body<double> sheet{.shape = graze::Box<double>{{1e-4, 5, 5}}, .position = {10, 0, 0}};
@@ -71,12 +76,29 @@ struct SweptOverlapResult {
 template <Scalar S>
 SweptOverlapResult<S> swept_overlap(const Body<S>& a, const Body<S>& b,
                                     const SweptOverlapOptions<S>& options = {});
-/// The same by SweptMethod::before_after, whatever method the options name.
+/// The same by SweptMethod::before_after, whatever method the options name. For hulls of 8 to 512 vertices it takes 1.2
+/// to 1.9 times as long as GJK (costs.md).
 template <Scalar S>
 SweptOverlapResult<S> swept_overlap_before_after(const Body<S>& a, const Body<S>& b,
                                                  SweptOverlapOptions<S> options = {});
-/// The same for the true shapes, decided exactly. Only for the shapes of the exact tier (cast.hpp), without a target
-/// distance. Others are `invalid_input`.
+/// The same for the true shapes, decided exactly. Only for the shapes of the exact tier (cast.hpp). Others are
+/// `invalid_input` (Invalid::not_exact).
+///
+/// For polytopes it takes about three times as long as swept_overlap(). Spheres, capsules, rounded shapes and a target
+/// distance take another search, which allocates memory and takes longer (20 us for two spheres, 150 us for two boxes
+/// at a target distance). Counters::supports leaves it out.
+///
+/// @code
+/// const graze::Body<double> wall{.shape = graze::Box<double>{{1, 5, 5}}, .position = {10, 0, 0}};
+/// const graze::Body<double> ray{.displacement = {3, 0, 0}};  // it meets the wall at t = 3
+/// const graze::SweptOverlapOptions<double> by_mpr{.method = graze::SweptMethod::mpr, .t_max = 2};
+/// const graze::SweptOverlapResult<double> r = graze::swept_overlap(wall, ray, by_mpr);
+/// assert(r.outcome == graze::Outcome::miss && r.normal[0] < 0);  // from the wall to the ray
+/// assert(graze::swept_overlap_before_after(wall, ray, by_mpr).outcome == r.outcome);
+///
+/// assert(graze::swept_overlap_exact(wall, ray, {.t_max = 3}).outcome == graze::Outcome::hit);  // touching counts
+/// assert(graze::swept_overlap_exact(wall, ray, {.t_max = std::nextafter(3.0, 0)}).outcome == graze::Outcome::miss);
+/// @endcode
 template <Scalar S>
 SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
                                           const SweptOverlapOptions<S>& options = {});

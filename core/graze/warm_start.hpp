@@ -1,5 +1,5 @@
 /// @file
-/// Warm starts: what a caller may keep of one answer about a pair for the next.
+/// Warm starts: the part of an answer about a pair that makes the next query about it cheaper.
 #pragma once
 
 #include <array>

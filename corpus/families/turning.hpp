@@ -41,7 +41,7 @@ void meet(Draw& draw, Case& problem, const Meeting& meeting, double miss);
 // A horizon of 1, one in six of 1/2 or 2. Then the same path in another time (vary_time_scale).
 void vary_horizon(Draw& draw, Case& problem);
 
-// A body that turns about x through its origin and reaches no further from it than `reach`, which `feature`
+// A body that rotates about x through its origin and reaches no further from it than `reach`, which `feature`
 // does.
 struct Spinner {
   Shape<double> shape;

@@ -127,6 +127,11 @@ Usage own_usage() {
           .memory = used.ru_maxrss};
 }
 
+std::optional<double> load() {
+  double out = 0;
+  return getloadavg(&out, 1) == 1 ? std::optional(out) : std::nullopt;
+}
+
 // ---- Shared libraries. ----
 
 void* open_library(const std::string& file, std::string& why) {

@@ -37,6 +37,8 @@ struct Usage {
   long memory = 0;     // KiB, at most
 };
 [[nodiscard]] Usage own_usage();
+// Processes that ran or waited for a processor, over the last minute, if the system tells.
+[[nodiscard]] std::optional<double> load();
 
 // ---- Shared libraries. ----
 

@@ -1,11 +1,11 @@
 // Describes the machine of a run.
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <thread>
 
+#include "engines/system/system.hpp"
 #include "reports/price/document.hpp"
 
 namespace graze::price {
@@ -27,8 +27,7 @@ Machine this_machine() {
   machine.compiler = fmt::format("g++ {}.{}.{}", __GNUC__, __GNUC_MINOR__, __GNUC_PATCHLEVEL__);
 #endif
   machine.build = GRAZE_PRICE_BUILD;
-  double load = 0;
-  if (getloadavg(&load, 1) == 1) machine.load = load;
+  machine.load = system::load().value_or(machine.load);
   return machine;
 }
 

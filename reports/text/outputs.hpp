@@ -44,7 +44,7 @@ class OutputFile {
   std::shared_ptr<const std::string> open_;  // while it lives the name is that of an open output
 };
 
-// Whoever read an output closed the pipe before its end (`graze ... | head -1`). A run then cleans up and ends silently.
+// The reader of an output closed the pipe before its end (`graze ... | head -1`). A run then cleans up and ends silently.
 struct ReaderGone : std::runtime_error {
   ReaderGone() : std::runtime_error("the reader of an output has closed it") {}
 };

@@ -112,7 +112,7 @@ struct Event {
   double toi_upper = 0;  ///< The upper end.
   /// As in RotatingResult. It is infinite if the cast refused the pair (Invalid::too_complex), which is then open.
   double distance = 0;
-  Effects effects = Effects::linear;           ///< What was simulated.
+  Effects effects = Effects::linear;           ///< The effects that were simulated.
   std::uint16_t reasons = 0;                   ///< Why, as in graze::Plan.
   Vec3<double> normal = Vec3<double>::Zero();  ///< If requested: unit, from a to b, world axes.
   /// If requested: the contact point of a at `toi_lower`, in world coordinates.

@@ -10,6 +10,7 @@
 #include "hash.hpp"
 
 #include <graze/cast.hpp>
+#include <graze/cast_all.hpp>
 #include <graze/distance.hpp>
 #include <graze/line.hpp>
 #include <graze/overlap.hpp>
@@ -34,7 +35,18 @@ void linear(Table& table, const Body<S>& a, const Body<S>& b, CastOptions<S> opt
   options.request = Request::everything;
   options.tier = Tier::exact;
   table.add<S>("cast, exact", cast(a, b, options));
+  Body<S> origin;
+  origin.position = b.position;
+  origin.displacement = b.displacement;
+  CastOptions<S> of_ray = options;
+  of_ray.t_max = kInfinity<S>;
+  table.add<S>("ray, exact", cast(origin, a, of_ray));
   if (table.exact_only()) return;
+  of_ray.request = Request::normal | Request::witnesses;
+  for (const Tier tier : {Tier::standard, Tier::certified}) {
+    of_ray.tier = tier;
+    table.add<S>(tier == Tier::standard ? "ray, standard" : "ray, certified", cast(origin, a, of_ray));
+  }
   options.tier = Tier::certified;
   table.add<S>("cast, certified", cast(a, b, options));
   options.tier = Tier::standard;
@@ -44,13 +56,6 @@ void linear(Table& table, const Body<S>& a, const Body<S>& b, CastOptions<S> opt
   table.add<S>("cast, gjk", cast_gjk_ray(a, b, options));
   table.add<S>("cast, mpr", cast_mpr_sweep(a, b, options));
   table.add<S>("cast, advancement", cast_conservative_advancement(a, b, options));
-  Body<S> origin;
-  origin.position = b.position;
-  origin.displacement = b.displacement;
-  options.t_max = kInfinity<S>;
-  table.add<S>("ray, standard", cast(origin, a, options));
-  options.tier = Tier::certified;
-  table.add<S>("ray, certified", cast(origin, a, options));
 }
 
 template <Scalar S>
@@ -71,6 +76,14 @@ void others(Table& table, const Body<S>& a, const Body<S>& b, const CastOptions<
   table.add<S>("distance", distance(a, b));
   table.add<S>("penetration", penetration(a, b));
   table.add<S>("penetration along", penetration_along(a, b, Vec3<S>(1, 2, -2)));
+  // Prepared once, and from the answer before.
+  const Prepared<S> kept_a(a), kept_b(b);
+  const DistanceResult<S> apart = distance(kept_a, kept_b);
+  table.add<S>("prepared, distance", apart);
+  table.add<S>("prepared, distance", distance(kept_a, kept_b, DistanceOptions<S>{.start = apart.warm}));
+  table.add<S>("prepared, overlap", overlap_mpr(kept_a, kept_b, overlap_mpr(kept_a, kept_b).warm));
+  table.add<S>("prepared, overlap", overlap_gjk(kept_a, kept_b, overlap_gjk(kept_a, kept_b).warm));
+  table.add<S>("prepared, penetration", penetration(kept_a, kept_b));
 }
 
 template <Scalar S>
@@ -80,11 +93,37 @@ void rotating(Table& table, const RotatingBody<S>& a, const RotatingBody<S>& b, 
   options.tier = Tier::certified;
   table.add<S>("rotating, certified", cast(a, b, options));
   options.tier = Tier::standard;
+  table.add<S>("rotating, standard, proved", cast(a, b, options));
   options.request = Request::normal | Request::witnesses;
   table.add<S>("rotating, standard", cast(a, b, options));
-  options.method = RotatingMethod::conservative_advancement;
   options.max_iterations = 2048;
-  table.add<S>("rotating, advancement", cast(a, b, options));
+  for (const auto& [name, method] :
+       {std::pair("rotating, advancement", RotatingMethod::conservative_advancement),
+        std::pair("rotating, bilateral", RotatingMethod::bilateral_advancement),
+        std::pair("rotating, bilateral published", RotatingMethod::bilateral_published),
+        std::pair("rotating, spheres", RotatingMethod::bounding_spheres),
+        std::pair("rotating, steps", RotatingMethod::time_steps)}) {
+    options.method = method;
+    table.add<S>(name, cast(a, b, options));
+  }
+}
+
+// Many casts and rays against one body.
+void batches(Table& table, const std::vector<RotatingBody<double>>& bodies) {
+  std::vector<Body<double>> many;
+  std::vector<scene::RayQuestion> rays;
+  for (const RotatingBody<double>& one : bodies) {
+    many.push_back(one.body);
+    rays.push_back({one.body.position, Vec3<double>(one.body.displacement - one.body.position)});
+  }
+  std::vector<CastResult<double>> answers(many.size());
+  std::vector<scene::RayAnswer> slim(rays.size());
+  for (std::size_t k = 0; k < many.size(); k += 4) {
+    scene::cast_all(many[k], many, answers);
+    for (const CastResult<double>& answer : answers) table.add<double>("casts against one body", answer);
+    scene::cast_rays(many[k], rays, slim);
+    for (const scene::RayAnswer& answer : slim) table.add<double>("rays against one body", answer);
+  }
 }
 
 void scenes(Table& table, const std::vector<RotatingBody<double>>& bodies) {
@@ -96,12 +135,19 @@ void scenes(Table& table, const std::vector<RotatingBody<double>>& bodies) {
     scene.probes.push_back(scene::ray("", from, Vec3<double>(-1, 0.125 * (4 - i), 0.25 * (i - 4))));
     scene.probes.back().first_only = i % 2 == 0;
   }
-  for (const Tier tier : {Tier::standard, Tier::certified}) {
-    const scene::Report report = scene::run(scene, {.tier = tier, .request = Request::everything});
-    for (const scene::Event& event : report.events) table.add<double>("scene", event);
-    for (const scene::Event& event : report.probe_events) table.add<double>("scene, rays", event);
-    table.count("scene", report.counters);
-  }
+  const auto add = [&](const char* events, const char* rays, const scene::Options& options) {
+    const scene::Report report = scene::run(scene, options);
+    for (const scene::Event& event : report.events) table.add<double>(events, event);
+    for (const scene::Event& event : report.probe_events) table.add<double>(rays, event);
+    table.count(events, report.counters);
+  };
+  for (const Tier tier : {Tier::standard, Tier::certified})
+    add("scene", "scene, rays", {.tier = tier, .request = Request::everything});
+  for (const scene::Ask ask : {scene::Ask::verdict, scene::Ask::first, scene::Ask::body})
+    add("scene, first events", "scene, first rays", {.ask = ask});
+  for (scene::Member& member : scene.bodies) member.body.rotation = Vec3<double>::Zero();
+  add("linear scene by the exact tier", "rays by the exact tier",
+      {.tier = Tier::exact, .request = Request::everything});
 }
 
 template <Scalar S>
@@ -124,7 +170,10 @@ void ask(Table& table, const Kind& kind, int pairs) {
       if (bodies.size() < 40) bodies.insert(bodies.end(), {a, b});
     }
   }
-  if constexpr (std::same_as<S, double>) scenes(table, bodies);
+  if constexpr (std::same_as<S, double>) {
+    scenes(table, bodies);
+    if (!table.exact_only()) batches(table, bodies);
+  }
 }
 
 }  // namespace

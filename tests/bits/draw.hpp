@@ -50,7 +50,7 @@ class Draw {
     for (RotatingBody<S>* one : {&a, &b}) {
       one->body.shape = shape();
       if (kind_.turned) one->body.orientation = turn();
-      // Of about one radian in a unit of time, or none.
+      // About one radian in a unit of time, or none.
       for (int i = 0; i < 3; ++i) {
         if (random_.below(3) != 0) one->rotation[i] = static_cast<S>((random_.below(33) - 16) * 0.0625);
       }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <graze/cast_all.hpp>
 #include <graze/distance.hpp>
 #include <graze/line.hpp>
 #include <graze/overlap.hpp>
@@ -96,6 +97,7 @@ class Hash {
   void add(const PenetrationResult<S>& x) {
     all(x.outcome, x.invalid, x.lower, x.upper, x.stalled, x.normal, x.point_a, x.point_b, x.counters);
   }
+  void add(const scene::RayAnswer& x) { all(x.outcome, x.toi_lower, x.toi_upper, x.normal, x.point); }
   void add(const scene::Event& x) {
     all(x.a, x.b, x.outcome, x.toi_lower, x.toi_upper, x.distance, x.effects, x.reasons, x.normal, x.point_a,
         x.point_b);

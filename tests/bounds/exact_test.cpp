@@ -265,7 +265,7 @@ TEST(ExactBounds, DirectionsOfTwoTerms) {
     const detail::exact::Direction seen = detail::exact::direction_of(scene, f, g, 1);
     many += !scene.has_fine();
     if (!(seen.error.maxCoeff() < kInfinity<double>) || !seen.approx.allFinite()) {
-      // Whoever compares with it is never sure: no component may look known.
+      // A comparison with it is never sure: no component may look known.
       const Vec3<double> step(1, 1, 1);
       const double height = seen.approx.dot(step), error = seen.error.dot(step);
       wrong += height > error || height < -error;

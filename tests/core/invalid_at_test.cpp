@@ -156,7 +156,7 @@ TEST(InvalidAt, EachNumberOfABody) {
   expect_place(body, "orientation is (0, 0, 0, 0)", F::orientation, -1, -1);
   body.orientation = {0, kNan, 0, 0};
   expect_place(body, "orientation is NaN or infinite", F::orientation, -1, -1);
-  // Of several, the shape's is said first, as it is refused first.
+  // If there are several, the shape's is said first, as it is refused first.
   body.shape = Sphere<double>{-1};
   expect_place(body, "shape.radius is negative", F::radius, 0, -1);
 }
@@ -253,7 +253,7 @@ TEST(InvalidAt, WhatTheExactTierDoesNotKnow) {
   EXPECT_EQ(to_text(cast(kBox, cone, exact).invalid_at), "body b: " + curved);
   EXPECT_EQ(to_text(line_exact(kBox, cone).invalid_at), "body b: " + curved);
   EXPECT_EQ(to_text(overlap_exact(cone, kBox).invalid_at), "body a: " + curved);
-  // Turning bodies whose motion is linear after all: the linear cast's reason is handed on.
+  // Rotating bodies whose motion is linear after all: the linear cast's reason is handed on.
   const RotatingBody<double> turned{cone}, box{kBox};
   EXPECT_EQ(to_text(cast(box, turned, {.tier = Tier::exact}).invalid_at), "body b: " + curved);
 }

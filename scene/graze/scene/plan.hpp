@@ -12,7 +12,7 @@ namespace graze::scene {
 struct PairPlan {
   std::uint32_t a = 0;  ///< The index of a body.
   std::uint32_t b = 0;  ///< The index of another, a < b.
-  graze::Plan plan;     ///< What is simulated.
+  graze::Plan plan;     ///< The effects that are simulated.
   double begin = 0;     ///< The swept bounds do not meet before this time.
 
   /// True if all of both plans is the same, their reasons included.

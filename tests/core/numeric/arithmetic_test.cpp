@@ -27,7 +27,7 @@ TEST(FusedPairs, AreTheSamePairs) {
   Draw draw{52};
   const auto number = [&] { return std::ldexp(draw.between(-1, 1), int(draw.bits() % 600) - 300); };
   const auto same = [](const auto& x, const auto& y) {
-    return std::bit_cast<std::uint64_t>(x.hi) == std::bit_cast<std::uint64_t>(y.hi) && x.lo == y.lo;
+    return detail::bit_cast<std::uint64_t>(x.hi) == detail::bit_cast<std::uint64_t>(y.hi) && x.lo == y.lo;
   };
   int inexact = 0;
   for (int round = 0; round < 20000; ++round) {

@@ -104,7 +104,7 @@ TEST_F(CheckRecords, AcceptsABracketOnlyAsNearAsTheProofProvesIt) {
   EXPECT_EQ(check({record}).exit_code, 0);
   record["toi"]["lower"] = record["toi"]["upper"] = time + 128 * 0x1p-53;
   EXPECT_EQ(check({record}).exit_code, 3);
-  // Whoever has no guarantee is granted nothing, unless it is given.
+  // An engine without a guarantee is granted nothing, unless it is given.
   record["toi"]["lower"] = record["toi"]["upper"] = time + 32 * 0x1p-53;
   record["method"] = "mine";
   EXPECT_EQ(check({record}).exit_code, 3);

@@ -6,7 +6,7 @@
 // (theorem 19)]
 //
 // Exact while no intermediate product of magnitude below 2^-968 or above 2^1023 occurs. The callers check the
-// range of their inputs. Products use std::fma and sums are Knuth's, so contraction changes nothing.
+// range of their inputs. Products are exact pairs and sums are Knuth's, so contraction changes nothing.
 #pragma once
 
 #include <graze/detail/numeric/offset.hpp>

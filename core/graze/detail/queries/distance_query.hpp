@@ -12,7 +12,7 @@ namespace graze { inline namespace GRAZE_LINKAGE {
 
 namespace detail {
 
-// Of two polytopes. False: nothing is claimed, and of `out` only the counters have changed.
+// Answers for two polytopes. False: nothing is claimed, and of `out` only the counters have changed.
 template <Scalar S>
 [[nodiscard]] bool fast_distance(const PreparedPair<S>& pair, const DistanceOptions<S>& options,
                                  DistanceResult<S>& out) {

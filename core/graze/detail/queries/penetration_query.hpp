@@ -85,7 +85,7 @@ PenetrationResult<S>& no_contact(PenetrationResult<S>& out, const Vec3<double>& 
   return out;
 }
 
-// Of two polytopes. False: nothing is claimed, and of `out` only the counters have changed.
+// Answers for two polytopes. False: nothing is claimed, and of `out` only the counters have changed.
 template <Scalar S>
 [[nodiscard]] bool fast_penetration(const PreparedPair<S>& pair, const PenetrationOptions<S>& options,
                                     PenetrationResult<S>& out) {

@@ -102,7 +102,7 @@ class FastRay {
     }
     return out_;
   }
-  // Of the hit.
+  // A corner of the feature that was hit.
   [[nodiscard]] const PairVertex& corner(std::size_t i) const { return slot_[feature_.at[i]]; }
 
  private:

@@ -78,7 +78,7 @@ class FastWalk {
   // Error bound on n.w, over |n|_1, w the farthest vertex. It covers the path's end, up to the reach of C.
   [[nodiscard]] double margin() const { return support_.margin(); }
   [[nodiscard]] const Triple& end() const { return end_; }
-  // Of the miss.
+  // For a miss: the axis that shows it.
   [[nodiscard]] const Triple& axis() const { return out_.n; }
   // Three vertices that are likely to be about the line. It also returns the last portal, if it found one, or the one
   // before if that passed the origin.

@@ -69,7 +69,7 @@ class RoundDepth : public RoundSlopes {
   [[nodiscard]] double upper() const { return best_.h; }
   [[nodiscard]] const Vec& normal() const { return best_.n; }
   [[nodiscard]] std::array<Vec, 2> points() const { return RoundSum::points(best_); }
-  // Of the points.
+  // The difference of points().
   [[nodiscard]] Vec difference() const { return RoundSum::difference(points()); }
 
  private:
