@@ -110,6 +110,7 @@ void rotating(Table& table, const RotatingBody<S>& a, const RotatingBody<S>& b, 
 
 // Many casts and rays against one body.
 void batches(Table& table, const std::vector<RotatingBody<double>>& bodies) {
+  if (table.exact_only()) return;
   std::vector<Body<double>> many;
   std::vector<scene::RayQuestion> rays;
   for (const RotatingBody<double>& one : bodies) {
@@ -172,7 +173,7 @@ void ask(Table& table, const Kind& kind, int pairs) {
   }
   if constexpr (std::same_as<S, double>) {
     scenes(table, bodies);
-    if (!table.exact_only()) batches(table, bodies);
+    batches(table, bodies);
   }
 }
 
