@@ -122,6 +122,8 @@ function(graze_precompile target name)
     return()
   endif()
   target_precompile_headers(${target} REUSE_FROM ${name})
+  # A compiler refuses precompiled headers that had definitions which the file has not.
+  target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:${name},COMPILE_DEFINITIONS>)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -fpch-preprocess)
   endif()
