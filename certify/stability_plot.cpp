@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 
+#include "engines/system/system.hpp"
 #include "reports/text/inputs.hpp"
 #include "reports/text/statistics.hpp"
 
@@ -71,9 +71,7 @@ std::string in_quotes(const std::string& text) {
 
 std::string run_gnuplot(const std::string& directory, const std::string& name) {
   const fs::path stem = fs::path(directory) / name;
-  const std::string command = fmt::format("cd '{}' && gnuplot {}.gp 2>/dev/null", directory, name);
-  const bool quotable = directory.find('\'') == std::string::npos;
-  if (quotable && std::system(command.c_str()) == 0) return stem.string() + ".svg is drawn";
+  if (system::run_in(directory, fmt::format("gnuplot {}.gp", name))) return stem.string() + ".svg is drawn";
   return fmt::format("{0}.dat and {0}.gp are written; gnuplot, which would draw them, did not run",
                      stem.string());
 }

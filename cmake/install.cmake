@@ -4,8 +4,8 @@
 #   cmake -S . -B build/core -DGRAZE_TOOLS=OFF -DGRAZE_TESTS=OFF && cmake --build build/core
 #   cmake --install build/core --prefix DIR
 #
-# needs Eigen alone. With -DGRAZE_LIBRARY=OFF there is nothing to build, and only graze::core to install. As a subproject graze installs nothing, unless GRAZE_INSTALL says so: then Eigen must come from
-# find_package in the superproject too.
+# needs Eigen alone. With -DGRAZE_LIBRARY=OFF there is nothing to build, and only graze::core to install. As a subproject
+# graze installs nothing, unless GRAZE_INSTALL says so: then Eigen must come from find_package in the superproject too.
 option(GRAZE_INSTALL "Install the headers of core and its package files" ${PROJECT_IS_TOP_LEVEL})
 if(NOT GRAZE_INSTALL)
   return()

@@ -3,8 +3,9 @@
 #pragma once
 
 #include <algorithm>
-#include <ctime>
 #include <vector>
+
+#include "engines/system/system.hpp"
 
 namespace graze::engine {
 
@@ -14,24 +15,13 @@ void keep(const T& value) {
   asm volatile("" : : "g"(&value) : "memory");
 }
 
-// The processor time of this thread.
-inline double processor_ns() {
-  std::timespec now{};
-#ifdef CLOCK_THREAD_CPUTIME_ID
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-#else
-  std::timespec_get(&now, TIME_UTC);
-#endif
-  return static_cast<double>(now.tv_sec) * 1e9 + static_cast<double>(now.tv_nsec);
-}
-
 // One call's nanoseconds, the median over `repeats` batches of calls.
 template <class Call>
 double median_ns(const Call& call, int repeats) {
   const auto time_batch = [&](int calls) {
-    const double start = processor_ns();
+    const double start = system::thread_ns();
     for (int i = 0; i < calls; ++i) keep(call());
-    return processor_ns() - start;
+    return system::thread_ns() - start;
   };
   // A batch of 50 microseconds or more: reading the clock (a call of the system, about 300 ns) stays below 1
   // part in 100.

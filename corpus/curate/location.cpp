@@ -4,6 +4,8 @@
 #include <fstream>
 #include <string>
 
+#include "engines/system/system.hpp"
+
 namespace graze::corpus {
 
 namespace fs = std::filesystem;
@@ -20,8 +22,7 @@ bool is_corpus(const fs::path& folder) {
 // No path of the tree that it was built in is in the program: it may be installed, and moved.
 fs::path corpus_directory() {
   if (const char* set = std::getenv("GRAZE_CORPUS"); set != nullptr && *set != '\0') return set;
-  std::error_code none;
-  const fs::path program = fs::read_symlink("/proc/self/exe", none);
+  const fs::path program = system::program();
   fs::path beside = program.parent_path().parent_path() / "share" / "graze" / "corpus";
   if (is_corpus(beside)) return beside;
   for (fs::path folder = program.parent_path(); !folder.empty(); folder = folder.parent_path()) {

@@ -132,6 +132,28 @@ std::optional<double> load() {
   return getloadavg(&out, 1) == 1 ? std::optional(out) : std::nullopt;
 }
 
+double thread_ns() {
+  timespec time = {};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
+}
+
+std::string same_program() { return "/proc/self/exe"; }
+
+std::filesystem::path program() {
+  std::error_code none;
+  return std::filesystem::read_symlink(same_program(), none);
+}
+
+std::string processor_model() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
 // ---- Shared libraries. ----
 
 void* open_library(const std::string& file, std::string& why) {
@@ -145,6 +167,12 @@ void* open_library(const std::string& file, std::string& why) {
 void* find_function(void* library, const std::string& name) { return dlsym(library, name.c_str()); }
 
 // ---- Child processes. ----
+
+bool run_in(const std::string& folder, const std::string& command_line) {
+  std::string quoted;
+  for (const char c : folder) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return std::system(("cd '" + quoted + "' && " + command_line + " 2>/dev/null").c_str()) == 0;
+}
 
 namespace {
 

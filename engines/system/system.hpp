@@ -1,10 +1,11 @@
-// The operating system, for the command: standard streams, signals, shared libraries and child processes. A port to
-// another system replaces linux.cpp, which holds every call of POSIX and of Linux.
+// The operating system, for the command: standard streams, signals, clocks, shared libraries and child processes. A port
+// to another system replaces linux.cpp, which holds every call of POSIX and of Linux.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,10 @@
 namespace graze::system {
 
 // ---- Standard streams. ----
+
+// The names by which they are opened as files.
+inline constexpr const char* kStandardInput = "/dev/stdin";
+inline constexpr const char* kStandardOutput = "/dev/stdout";
 
 [[nodiscard]] bool is_stderr_a_terminal();
 // Call this before anything is opened. A file then never receives a descriptor 0, 1 or 2 that the caller closed. A pipe
@@ -39,6 +44,14 @@ struct Usage {
 [[nodiscard]] Usage own_usage();
 // Processes that ran or waited for a processor, over the last minute, if the system tells.
 [[nodiscard]] std::optional<double> load();
+// Nanoseconds of processor time of this thread.
+[[nodiscard]] double thread_ns();
+// The file that this process runs. Empty if the system does not tell.
+[[nodiscard]] std::filesystem::path program();
+// A path that runs the same program again, even if its file was replaced since.
+[[nodiscard]] std::string same_program();
+// The model of the processor, or "unknown".
+[[nodiscard]] std::string processor_model();
 
 // ---- Shared libraries. ----
 
@@ -48,6 +61,9 @@ struct Usage {
 [[nodiscard]] void* find_function(void* library, const std::string& name);
 
 // ---- Child processes. ----
+
+// Runs a command line of the shell in a folder, without its error messages. True if it succeeded.
+[[nodiscard]] bool run_in(const std::string& folder, const std::string& command_line);
 
 // A program in a process of its own, with pipes to its standard streams. It leads a process group and carries a mark in
 // its environment. The mark finds the processes that it left behind, even outside the group.

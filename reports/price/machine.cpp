@@ -1,8 +1,6 @@
 // Describes the machine of a run.
 #include <fmt/format.h>
 
-#include <fstream>
-#include <string>
 #include <thread>
 
 #include "engines/system/system.hpp"
@@ -11,15 +9,7 @@
 namespace graze::price {
 
 Machine this_machine() {
-  Machine machine{.processor = "unknown", .compiler = "unknown", .build = "unknown"};
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    const std::size_t colon = line.find(": ");
-    if (line.starts_with("model name") && colon != std::string::npos) {
-      machine.processor = line.substr(colon + 2);
-      break;
-    }
-  }
+  Machine machine{.processor = system::processor_model(), .compiler = "unknown", .build = "unknown"};
   machine.cores = std::thread::hardware_concurrency();
 #if defined(__clang__)
   machine.compiler = fmt::format("clang {}.{}.{}", __clang_major__, __clang_minor__, __clang_patchlevel__);

@@ -17,8 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kStandardInput = "/dev/stdin";
-constexpr const char* kStandardOutput = "/dev/stdout";
+using system::kStandardInput, system::kStandardOutput;
 
 // The files that the run reads, and those that it is writing. One run is one process.
 struct Ledger {

@@ -4,11 +4,23 @@
 # usage: install.sh SETTINGS
 set -euo pipefail
 source "$1"
-build="$scratch/core" prefix="$scratch/prefix"
-rm -rf "$build" "$prefix"
-"$cmake" -S "$source_dir" -B "$build" -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" --no-warn-unused-cli -DGRAZE_TOOLS=OFF -DGRAZE_TESTS=OFF \
-  -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DCMAKE_CXX_COMPILER="$cxx" -DEigen3_DIR="$eigen_dir" "${without[@]}" >"$build.log" 2>&1 ||
-  { cat "$build.log"; exit 1; }
+build="$scratch/core" prefix="$scratch/prefix" small="$scratch/small"
+rm -rf "$build" "$prefix" "$small"
+# configure BUILD [OPTION...]
+configure() {
+  "$cmake" -S "$source_dir" -B "$1" -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" --no-warn-unused-cli -DGRAZE_TOOLS=OFF -DGRAZE_TESTS=OFF \
+    -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DCMAKE_CXX_COMPILER="$cxx" -DEigen3_DIR="$eigen_dir" "${without[@]}" "${@:2}" \
+    >"$1.log" 2>&1
+}
+configure "$build" || { cat "$build.log"; exit 1; }
+# GRAZE_SCENE=OFF leaves out the scene, and the judge says that it needs one.
+configure "$small" -DGRAZE_SCENE=OFF || { cat "$small.log"; exit 1; }
+"$cmake" --build "$small" --target help >"$small.targets"
+grep -qw graze "$small.targets" || { echo "GRAZE_SCENE=OFF: there is no library to build"; exit 1; }
+! grep graze_scene "$small.targets" || { echo "GRAZE_SCENE=OFF: the scene is built"; exit 1; }
+! grep -r "graze-scene" --include=cmake_install.cmake "$small" || { echo "GRAZE_SCENE=OFF: the scene is installed"; exit 1; }
+! configure "$small" -DGRAZE_SCENE=OFF -DGRAZE_TOOLS=ON || { echo "GRAZE_SCENE=OFF is accepted with GRAZE_TOOLS=ON"; exit 1; }
+grep -q "GRAZE_TOOLS needs GRAZE_SCENE" "$small.log" || { cat "$small.log"; exit 1; }
 "$cmake" --build "$build" -j2 >>"$build.log" 2>&1 || { cat "$build.log"; exit 1; }
 "$cmake" --install "$build" --prefix "$prefix" >>"$build.log"
 # Every header of core and of scene, and nothing from another room.

@@ -11,6 +11,7 @@
 #include "certify/external/engine_methods.hpp"
 #include "certify/tally.hpp"
 #include "corpus/format/fields.hpp"
+#include "engines/system/system.hpp"
 #include "tools/commands/options.hpp"
 
 namespace graze::tool {
@@ -146,7 +147,7 @@ Engines::Engines(const EngineArguments& arguments) {
   std::map<std::string, std::string> names;
   for (const std::string& command : arguments.commands) {
     external::EngineOptions options{.command = command,
-                                    .library_host = {"/proc/self/exe", "host"},
+                                    .library_host = {system::same_program(), "host"},
                                     .host_takes_frames = true,
                                     .tolerance = arguments.tolerance,
                                     .relative_tolerance = arguments.relative_tolerance,
