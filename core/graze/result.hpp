@@ -160,12 +160,14 @@ enum class Invalid : std::uint8_t {
   negative_extent,  ///< A radius or a half extent below zero.
   zero_quaternion,  ///< An orientation (0, 0, 0, 0).
   missing_part,     ///< A combinator without parts, or with one that has no shape.
-  too_complex,      ///< Combinators nested deeper than 16, or with more than 4096 parts or 2^32 - 1 vertices.
-  rounding_mode,    ///< The thread does not round to nearest.
-  unsafe_math,      ///< graze was compiled with a part of -ffast-math.
-  bad_horizon,      ///< `t_max` is below zero or NaN.
-  bad_target,       ///< `target_distance` is below zero, infinite or NaN.
-  bad_tolerance,    ///< `tolerance` is below zero, infinite or NaN, or a budget is below one.
+  /// Combinators nested deeper than 16, or with more than 4096 parts or 2^32 - 1 vertices. In the exact tier also numbers
+  /// whose exact products outgrow their room.
+  too_complex,
+  rounding_mode,  ///< The thread does not round to nearest.
+  unsafe_math,    ///< graze was compiled with a part of -ffast-math.
+  bad_horizon,    ///< `t_max` is below zero or NaN.
+  bad_target,     ///< `target_distance` is below zero, infinite, NaN or out of range.
+  bad_tolerance,  ///< `tolerance` is below zero, infinite or NaN, or a budget is below one.
   /// The exact tier does not support the input: an ellipsoid, a cylinder, a cone, a hull of shapes, or a visible
   /// rotation.
   not_exact,

@@ -35,8 +35,7 @@ class Generator {
     options.ask = random_.one_in(2) ? scene::Ask::pair : static_cast<scene::Ask>(random_.below(scene::kAsks));
     options.request = random_.one_in(3) ? Request::verdict : Request::normal | Request::witnesses;
     options.t_max = random_.one_in(4) ? 0.1 * random_.between(0, 30) : 1;
-    if (options.tier != Tier::exact && random_.one_in(4))
-      options.target_distance = 0.1 * random_.between(1, 3);
+    if (random_.one_in(4)) options.target_distance = 0.1 * random_.between(1, 3);
     if (options.tier != Tier::exact && random_.one_in(2)) options.tolerance = 1e-3;
     exact_ = options.tier == Tier::exact;
     slow_ = options.tolerance > 0;
@@ -88,7 +87,6 @@ class Generator {
     }
   }
   Shape<double> shape() {
-    if (exact_) return polytope();
     switch (random_.below(10)) {
       case 0:
         return Sphere<double>{size()};
@@ -96,11 +94,11 @@ class Generator {
       case 2:
         return Capsule<double>{size(), size()};
       case 3:
-        return Cylinder<double>{size(), size()};
+        return exact_ ? polytope() : Cylinder<double>{size(), size()};
       case 4:
-        return Cone<double>{size(), size()};
+        return exact_ ? polytope() : Cone<double>{size(), size()};
       case 5:
-        return Ellipsoid<double>{Vec3<double>(size(), size(), size())};
+        return exact_ ? polytope() : Ellipsoid<double>{Vec3<double>(size(), size(), size())};
       case 6:
         return rounded<double>(polytope(), size());
       case 7:

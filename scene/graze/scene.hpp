@@ -91,7 +91,7 @@ struct Options {
   Economies economies = {};    ///< Steps that may be skipped.
   unsigned threads = 1;        ///< The number of threads. The answer does not depend on it.
   /// The most pairs that may be looked at. A scene whose n bodies are all in one spot has n^2/2 pairs. It is refused
-  /// in less than a second, before anything is cast.
+  /// before anything is cast.
   std::uint64_t most_pairs = 16'000'000;
   Progress progress = {};  ///< Called between parts of the run, if set.
 };

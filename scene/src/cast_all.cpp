@@ -1,5 +1,6 @@
 #include <graze/cast_all.hpp>
 
+#include <graze/detail/casts/exact_ends.hpp>
 #include <graze/detail/rays/ray_answer.hpp>
 #include <graze/detail/shapes/validation.hpp>
 #include <graze/scene/swept_box.hpp>
@@ -31,7 +32,7 @@ void answer_by(CastResult<double>& answer, const Make& make) {
 
 // The exact tier refuses curved bodies, however far apart.
 bool is_known_to(Tier tier, const Body<double>& body) {
-  return tier != Tier::exact || detail::has_fast_search(body.shape);
+  return tier != Tier::exact || detail::exact::takes(body.shape);
 }
 
 // Is "miss" the whole answer of a cast of the body against anything that stays clear of it? A proof has an axis, too.

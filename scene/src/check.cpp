@@ -1,7 +1,7 @@
 // Checks the requirements on a scene at the entry of run() and plan().
+#include <graze/detail/casts/exact_ends.hpp>
 #include <graze/detail/rotating/mobility.hpp>
 #include <graze/detail/rotating/turn.hpp>
-#include <graze/detail/search/exact/term.hpp>
 #include <graze/detail/shapes/validation.hpp>
 #include <graze/invalid_text.hpp>
 
@@ -32,11 +32,11 @@ std::string why_invalid_body(const RotatingBody<double>& moving, double t_max) {
   return {};
 }
 
-// The exact tier casts polytopes that do not rotate: the test that core's exact cast makes before it starts.
+// The exact tier casts polytopes and rounded polytopes that do not rotate.
 // The body has passed why_invalid_body().
 std::string why_not_exact(const RotatingBody<double>& moving) {
   if (moving.rotation != Vec3<double>::Zero()) return "rotates, which the exact tier does not support";
-  if (detail::exact::is_exact(moving.body.shape)) return {};
+  if (detail::exact::takes(moving.body.shape)) return {};
   return to_text(InvalidAt{
       .why = Invalid::not_exact, .body = InvalidBody::none, .field = InvalidField::shape, .part = 0});
 }
@@ -72,9 +72,6 @@ std::string why_options_invalid(const Options& options) {
   pair.tolerance = options.tolerance;
   if (validate(pair) == Invalid::bad_target) return "target_distance is negative, NaN or out of range";
   if (validate(pair) == Invalid::bad_tolerance) return "tolerance is negative, NaN or infinite";
-  if (options.tier == Tier::exact && options.target_distance != 0) {
-    return "target_distance is not 0, which tier exact does not know";
-  }
   return {};
 }
 

@@ -60,7 +60,8 @@ TEST(SceneFiles, ErrorsNameTheFileAndTheField) {
       {R"("t_max": "inf"})", "f: t_max: infinite; a step has an end"},
       {R"("ask": "everything"})", "f: ask: the string \"everything\"; one of verdict, first, body or pair"},
       {R"("request": ["speed"]})", "f: request[0]: "},
-      {R"("tier": "exact", "bodies": [{"name": "a", BALL}]})", "f: body \"a\": shape is curved"},
+      {R"("tier": "exact", "bodies": [{"name": "a", "shape": {"type": "cone", "radius": 1, "half_height": 1}}]})",
+       "f: body \"a\": shape is curved"},
       {R"("bodies": {}})", "f: bodies: an object; an array of objects"},
       {R"("bodies": [)", "f: "},
   };

@@ -369,7 +369,7 @@ void add_scene_command(CLI::App& app, int& exit_code) {
       economy_names() +
       ".\n"
       "All are on by default, and none changes a verdict: the default needs no change. "
-      "docs/reference/scenes.md says what\n"
+      "docs/reports/scenes.md says what\n"
       "each saves.\n\n"
       "  graze scene examples/scenes/*.json\n"
       "  graze scene --plan examples/scenes/fan.json\n"

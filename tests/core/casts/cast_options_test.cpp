@@ -151,7 +151,12 @@ TEST(CastOptions, ALooseToleranceHasANormal) {
   for (const Method method : kMethods) {
     const Body<double> a{.shape = rounded<double>(Box<double>{{1, 1, 1}}, 0.125)},
         b{.shape = Sphere<double>{0.5}, .position = {-100, 0.25, 0.5}, .displacement = {200, 0, 0}};
-    const auto r = cast(a, b, {.method = method, .tolerance = 1e-2});
+    // A tolerance of the size of the bodies: the axis of the lower end, which leans by up to that.
+    const auto loose = cast(a, b, {.method = method, .tolerance = 1e-2});
+    ASSERT_EQ(loose.outcome, Outcome::hit);
+    EXPECT_LT(loose.normal[0], -0.9) << static_cast<int>(method);
+    EXPECT_NEAR(loose.normal.norm(), 1, 1e-15);
+    const auto r = cast(a, b, {.method = method, .tolerance = 1e-3});
     ASSERT_EQ(r.outcome, Outcome::hit);
     EXPECT_LT(r.normal[0], -0.99) << static_cast<int>(method);
   }

@@ -105,5 +105,38 @@ TEST(RoundCast, WitnessesOnSliversLieAtEachOther) {
   EXPECT_GT(hits, 1900);
 }
 
+// The round walk takes roundings of polytopes, too: one with a radius r and one at a target distance r meet at the same time.
+TEST(RoundCast, ARoundedPolytopeIsCastLikeOneAtATargetDistance) {
+  Draw draw{313};
+  int hits = 0, supports = 0;
+  for (int round = 0; round < 400; ++round) {
+    const auto vector = [&](double most) {
+      return Vec3<double>(draw.between(-most, most), draw.between(-most, most), draw.between(-most, most));
+    };
+    const Shape<double> box = Box<double>{vector(1).cwiseAbs()},
+                        hull = Hull<double>{vector(1), vector(1), vector(1), vector(1), vector(1)},
+                        triangle = Triangle<double>{vector(1), vector(1), vector(1)};
+    const Shape<double>& shape = round % 3 == 0 ? box : round % 3 == 1 ? hull : triangle;
+    const double radius = draw.between(0.01, 0.5);
+    const Vec3<double> from = vector(3);
+    const Quaternion<double> turned{draw.between(-1, 1), draw.between(-1, 1), draw.between(-1, 1), 1};
+    const Body<double> b{
+        .shape = box, .position = from, .orientation = turned, .displacement = vector(1) - 1.5 * from};
+    for (const Tier tier : {Tier::certified, Tier::exact}) {
+      const CastResult<double> rounded_one =
+          cast(Body<double>{.shape = rounded<double>(shape, radius)}, b, {.tier = tier});
+      const CastResult<double> at_distance =
+          cast(Body<double>{.shape = shape}, b, {.tier = tier, .target_distance = radius});
+      EXPECT_EQ(rounded_one.outcome, at_distance.outcome);
+      EXPECT_EQ(rounded_one.toi_lower, at_distance.toi_lower);
+      EXPECT_EQ(rounded_one.toi_upper, at_distance.toi_upper);
+      hits += rounded_one.outcome == Outcome::hit;
+      supports += rounded_one.counters.supports;
+    }
+  }
+  EXPECT_GT(hits, 400);
+  EXPECT_LT(supports, 10 * 800);
+}
+
 }  // namespace
 }  // namespace graze

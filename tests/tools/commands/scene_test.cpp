@@ -74,7 +74,7 @@ TEST(SceneCommand, RefusesInOneLine) {
       {"scene - --ask all", "--ask: all is not a value; it is verdict, first, body or pair"},
       {"scene - --plan --gains", "--plan: nothing is cast"},
       {"scene - --threads 0", "--threads"},
-      {"scene - --tier exact", "body \"aside\": shape is curved"},
+      {"scene - --tier exact", "body \"crate\": rotates, which the exact tier does not support"},
   };
   for (const auto& [arguments, said] : cases) {
     const CommandRun run = folder.graze(arguments, kScene);

@@ -8,10 +8,14 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace exact {
 
+// Does tier exact take the shape? A polytope, or one with a ball about it.
+template <Scalar S>
+bool takes(const Shape<S>& shape) {
+  return has_fast_search(shape) || is_exact(shape, true);
+}
 // Does tier exact refuse this valid input? If so, `out` says where.
 template <class Result, Scalar S>
 bool refused(Result& out, const Body<S>& a, const Body<S>& b) {
-  const auto takes = [](const Shape<S>& shape) { return has_fast_search(shape) || is_exact(shape, true); };
   if (takes(a.shape) && takes(b.shape)) return false;
   out.invalid = Invalid::not_exact;
   out.invalid_at = {.why = Invalid::not_exact,

@@ -42,6 +42,22 @@ bool leaves_or_slides(const Body<S>& a, const Body<S>& b, RoundSearch<S>& search
   return passage != Passage::ahead || !cast.pair().moves() || cast.slides();
 }
 
+// The corners of C nearest to the path at time t, in doubles.
+template <Scalar S>
+RoundGuess nearest_corners(const Body<S>& a, const Body<S>& b, S target_distance, double t,
+                           Counters& counters) {
+  const Cso<double> cso(a, b, target_distance);
+  Simplex<double> simplex;
+  gjk_distance(cso, Vec3<double>(cso.to_parameter(t) * cso.direction()), simplex, 0.0, 0.0,
+               CastOptions<S>{}.max_iterations, counters);
+  RoundGuess out;
+  out.time = t;
+  out.size = std::min(simplex.size, 3);
+  for (std::size_t i = 0; i < std::size_t(out.size); ++i)
+    out.corner[i] = {simplex.point[i].vertex_a, simplex.point[i].vertex_b};
+  return out;
+}
+
 // By the round walk or the GJK ray cast of the standard tier.
 template <Scalar S>
 RoundGuess guess_contact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
@@ -54,17 +70,8 @@ RoundGuess guess_contact(const Body<S>& a, const Body<S>& b, const CastOptions<S
   if (kind_of(a, b, options.target_distance) != PairKind::round || !round_cast(a, b, plain, found))
     robust_gjk_ray(a, b, plain, found);
   counters += found.counters;
-  RoundGuess out;
-  if (found.outcome != Outcome::hit) return out;
-  out.time = double(found.toi_lower);
-  const Cso<double> cso(a, b, options.target_distance);
-  Simplex<double> simplex;
-  gjk_distance(cso, Vec3<double>(cso.to_parameter(out.time) * cso.direction()), simplex, 0.0, 0.0,
-               plain.max_iterations, counters);
-  out.size = std::min(simplex.size, 3);
-  for (std::size_t i = 0; i < std::size_t(out.size); ++i)
-    out.corner[i] = {simplex.point[i].vertex_a, simplex.point[i].vertex_b};
-  return out;
+  if (found.outcome != Outcome::hit) return {};
+  return nearest_corners(a, b, options.target_distance, double(found.toi_lower), counters);
 }
 
 // One body at time t: the contact's point of its core, and its ball.
@@ -236,8 +243,9 @@ void answer_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>&
     out = {};
     out.method = method;
     refuse_as_too_complex(out);
-  } else if (wants_proof) {
-    prove_round(search, options, toi, out);
+  } else {
+    if (wants_proof) prove_round(search, options, toi, out);
+    out.counters.supports += search.supports();
   }
 }
 

@@ -8,9 +8,9 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
 enum class PairKind : std::uint8_t {
   polytopes,  // points, segments, triangles, boxes and hulls, without a target distance
-  round,      // those, spheres and capsules, with a target distance or one that is round
+  round,      // those, spheres, capsules and roundings of those, with a target distance or one that is round
   curved,     // a cylinder, a cone or an ellipsoid, with any of the above
-  other,      // posed, rounded, sum, hull of
+  other,      // posed, sum, hull of, roundings of these and of the curved
 };
 inline constexpr std::size_t kPairKinds = 4;
 

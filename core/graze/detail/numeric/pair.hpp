@@ -12,7 +12,7 @@
 // Fused pairs are the same numbers, with products by one instruction (machine.hpp): 2 operations instead of 17. A
 // caller that forms many of them calls fuses() once, and then runs one of two copies of the code. Both products are
 // exact, so both copies have the same bits. Beyond 2^996 and below 2^-969 Veltkamp's is not exact. Its users stay
-// within that range (scene.hpp), or add what is far larger.
+// within that range (exact_scene.hpp), or add what is far larger.
 #pragma once
 
 #include <graze/detail/numeric/offset.hpp>

@@ -12,11 +12,21 @@ template <class Number>
 struct SineCosine {
   Number sine, cosine;
 };
-// Takes the nearest multiple of pi/2 from x, and returns how many they are.
+// Takes the nearest multiple of pi/2 from x >= 0, and returns how many they are.
 inline std::int64_t remove_quarters(TwoDoubles& x) {
-  const double quarters = std::nearbyint(x.hi * 0x1.45f306dc9c883p-1);
-  for (const double part : {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54, -0x1.f1976b7ed8fbcp-110}) {
-    x = x + -two_product(quarters, part);
+  constexpr double kToInteger = 0x1p52;  // above it doubles are integers
+  const double quarters = (fl(x.hi * 0x1.45f306dc9c883p-1) + kToInteger) - kToInteger;
+  // Pi/2 in three doubles, each in two halves of at most 26 bits.
+  struct Part {
+    double high, low;
+  };
+  constexpr Part kParts[] = {
+      {0x1.921fb5p+0, 0x4442d18p-52}, {0x1.1a6263p-54, 0x3145c07p-106}, {-0x1.f1976bp-110, -0x7ed8fbcp-162}};
+  for (const Part& part : kParts) {
+    const double whole = part.high + part.low, product = fl(quarters * whole);
+    // A number of 27 bits times a half is exact, and so is each difference (Dekker 1971).
+    const double rest = (quarters * part.high - product) + quarters * part.low;
+    x = x + -(quarters < 0x1p27 ? TwoDoubles{product, rest} : two_product(quarters, whole));
   }
   return static_cast<std::int64_t>(quarters);
 }

@@ -118,15 +118,15 @@ class Cso {
   // their centres.
   [[nodiscard]] S scale() const { return scale_; }
   // See above. `extent` is M, which also bounds |w|.
-  [[nodiscard]] S extent() const { return a_.reach() + b_.reach() + norm(d_); }
+  [[nodiscard]] S extent() const { return a_.reach + b_.reach + norm(d_); }
   [[nodiscard]] S point_error() const {
-    return kUnitRoundoff<S> * (4 * extent() + fl(a_.turn * a_.reach()) + fl(b_.turn * b_.reach())) +
+    return kUnitRoundoff<S> * (4 * extent() + fl(a_.turn * a_.reach) + fl(b_.turn * b_.reach)) +
            a_.point_error + b_.point_error;
   }
   // How far over |n| the points that the sides choose may lie below the greatest.
   [[nodiscard]] S choice_error() const {
     return a_.support_error + b_.support_error +
-           2 * kUnitRoundoff<S> * (fl(a_.turn * a_.reach()) + fl(b_.turn * b_.reach()));
+           2 * kUnitRoundoff<S> * (fl(a_.turn * a_.reach) + fl(b_.turn * b_.reach));
   }
   [[nodiscard]] S reach_error() const {
     return fl(S(1.75) * point_error()) + fl(3 * kUnitRoundoff<S> * extent()) + choice_error();

@@ -3,8 +3,8 @@
 //
 //   internal length = world length 2^-k,   c = R_A a - (R_B b + offset),  a and b about the bodies' centres.
 //
-// Takes point, segment, triangle, box, hull, and the cores of sphere and capsule. Any other shape is reached through
-// its side (side.hpp). In doubles whatever the scalar of the bodies. A guess along a direction is by floats on hulls:
+// Takes point, segment, triangle, box, hull, and the cores of sphere, capsule and rounding of one of these. Any other
+// shape is reached through its side (side.hpp). In doubles whatever the scalar of the bodies. A guess along a direction is by floats on hulls:
 // it costs half, and a caller that needs the farthest vertex must confirm it.
 //
 // Rounding, internal length, per component, u in double, with |a|, |b| <= reach:
@@ -21,17 +21,10 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// A shape whose vertices a fast walk takes as they are.
-template <Scalar S>
-[[nodiscard]] bool has_fast_search(const Shape<S>& shape) {
-  return std::holds_alternative<Hull<S>>(shape) || std::holds_alternative<Box<S>>(shape) ||
-         std::holds_alternative<Point<S>>(shape) || std::holds_alternative<Segment<S>>(shape) ||
-         std::holds_alternative<Triangle<S>>(shape);
-}
-
 // The radius of the ball about a core of these shapes, caller's unit.
 template <Scalar S>
 [[nodiscard]] double plain_radius(const Shape<S>& shape) {
+  if (const auto* rounded = std::get_if<Rounded<S>>(&shape)) return double(rounded->radius);
   if (const auto* sphere = std::get_if<Sphere<S>>(&shape)) return double(sphere->radius);
   if (const auto* capsule = std::get_if<Capsule<S>>(&shape)) return double(capsule->radius);
   return 0;
@@ -45,7 +38,8 @@ class PreparedCore {
  public:
   // Caller's units. `prepare` sets the internal unit.
   explicit PreparedCore(const Body<S>& body) : body_(body) {
-    if (const auto* hull = std::get_if<Hull<S>>(&body.shape)) {
+    const Shape<S>& shape = without_ball(body.shape);
+    if (const auto* hull = std::get_if<Hull<S>>(&shape)) {
       kind_ = Kind::hull;
       if (hull->has_map()) {
         kind_ = Kind::mapped;
@@ -58,16 +52,16 @@ class PreparedCore {
       center_ = triple(hull->center());
       size_ = hull->size_about_center();
       reach_ = hull->reach_about_center();
-    } else if (const auto* box = std::get_if<Box<S>>(&body.shape)) {
+    } else if (const auto* box = std::get_if<Box<S>>(&shape)) {
       kind_ = Kind::box;
       few_[0] = triple(box->half_extents);
       set_reach(few_[0]);
-    } else if (const auto* triangle = std::get_if<Triangle<S>>(&body.shape)) {
+    } else if (const auto* triangle = std::get_if<Triangle<S>>(&shape)) {
       set_few({triple(triangle->a), triple(triangle->b), triple(triangle->c)}, 3);
-    } else if (const auto* segment = std::get_if<Segment<S>>(&body.shape)) {
+    } else if (const auto* segment = std::get_if<Segment<S>>(&shape)) {
       set_few({triple(segment->a), triple(segment->b), triple(segment->b)}, 2);
     } else {
-      set_other(body);
+      set_other(shape);
     }
     turned_ = !body.orientation.is_identity() && (size_ > 0 || largest(center_) > 0);
     if (turned_) set_rotation();
@@ -270,15 +264,15 @@ class PreparedCore {
     size_ = largest(extent);
     reach_ = square_root(dot(extent, extent)) * (1 + 0x1p-50);
   }
-  [[gnu::noinline]] void set_other(const Body<S>& body) {
-    if (std::holds_alternative<Point<S>>(body.shape) || std::holds_alternative<Sphere<S>>(body.shape)) {
+  [[gnu::noinline]] void set_other(const Shape<S>& shape) {
+    if (std::holds_alternative<Point<S>>(shape) || std::holds_alternative<Sphere<S>>(shape)) {
       few_.fill({0, 0, 0});
-    } else if (const auto* capsule = std::get_if<Capsule<S>>(&body.shape)) {
+    } else if (const auto* capsule = std::get_if<Capsule<S>>(&shape)) {
       const Triple up{0, 0, double(capsule->half_height)};
       set_few({-up, up, up}, 2);
     } else {
       kind_ = Kind::side;
-      const Bounds bounds = detail::bounds(body.shape);
+      const Bounds bounds = detail::bounds(shape);
       center_ = triple(bounds.center);
       set_reach(triple(Vec3<double>(bounds.half + bounds.middle.cwiseAbs())));
     }

@@ -119,6 +119,7 @@ struct Side {
   S unit = 1;                                                // internal length of one unit of a hull
   double tree_unit = 1;                                      // of a combinator: may be beyond the range of S
   Vec3<S> half = Vec3<S>::Zero(), middle = Vec3<S>::Zero();  // bounds, internal units, own axes
+  S reach = 0;                                               // bounds |x| over the core
   // A segment's, triangle's or capsule's vertices.
   std::array<Vec3<S>, 3> few = {Vec3<S>::Zero(), Vec3<S>::Zero(), Vec3<S>::Zero()};
   Vec3<double> center = Vec3<double>::Zero();  // world length, own axes
@@ -138,8 +139,6 @@ struct Side {
   void turn_to(const Mat3<S>& r);
   // For a combinator with curved parts.
   [[nodiscard]] bool is_curved_tree() const { return curved && shape; }
-  // Bounds |x| over the core.
-  [[nodiscard]] S reach() const { return norm(half + middle.cwiseAbs()); }
 };
 
 template <Scalar S>
@@ -214,10 +213,10 @@ void set_core(Side<S>& side, const Shape<Given>& shape, int k) {
   const auto curved = [&](auto support) {
     side.support = support;
     side.curved = true;
-    side.point_error = kCurvedRounding * kUnitRoundoff<S> * side.reach();
+    side.point_error = kCurvedRounding * kUnitRoundoff<S> * side.reach;
     side.support_error = 2 * side.point_error;
   };
-  side.support_error = 8 * kUnitRoundoff<S> * side.reach();  // leaf.hpp
+  side.support_error = 8 * kUnitRoundoff<S> * side.reach;  // leaf.hpp
   std::visit(Overloaded{[&](const Point<Given>&) { side.support = &point_of_side<S>; },
                         [&](const Sphere<Given>&) { side.support = &point_of_side<S>; },
                         [&](const Segment<Given>& s) {
@@ -257,7 +256,7 @@ void set_core(Side<S>& side, const Shape<Given>& shape, int k) {
                           const double fine =
                               unit * kTwoDoublesOfANode * nodes_of<Given>(shape) * lengths_of<Given>(shape);
                           side.point_error =
-                              capped<S>(fl(u * own.point) + fine) + kUnitRoundoff<S> * side.reach();
+                              capped<S>(fl(u * own.point) + fine) + kUnitRoundoff<S> * side.reach;
                           side.support_error = capped<S>(fl(u * own.choice) + 2 * fine);
                         }},
              shape);
@@ -268,7 +267,7 @@ inline constexpr int kFastTurn = 19, kAccurateTurn = 5, kPlacedTurn = 23;
 
 template <Scalar S>
 void Side<S>::turn_to(const Mat3<S>& r) {
-  if (reach() == 0) return;
+  if (reach == 0) return;
   rotation = r;
   rotated = true;
   turn = kPlacedTurn;
@@ -282,6 +281,7 @@ Side<S> make_side(const Body<Given>& body, const Bounds& bounds, int k, Turning 
   side.center = bounds.center;
   side.half = (unit * bounds.half).template cast<S>();
   side.middle = (unit * bounds.middle).template cast<S>();
+  side.reach = norm(side.half + side.middle.cwiseAbs());
   side.radius = static_cast<S>(unit * bounds.radius);
   set_core(side, body.shape, k);
   // The error of the pair's offset that comes from this centre.

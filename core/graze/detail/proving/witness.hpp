@@ -12,7 +12,7 @@ Vec3<S> world_point(const Body<Given>& body, const Side<S>& side, const Cso<S>& 
   // In double where positions are large beside the body: a combinator's centre is no number of S, either.
   if (!side.rotated) {
     out += Vec3<double>(body.position.template cast<double>() + side.center).template cast<S>();
-  } else if (side.center.cwiseAbs().maxCoeff() > cso.to_length(side.reach())) {
+  } else if (side.center.cwiseAbs().maxCoeff() > cso.to_length(side.reach)) {
     out += placed_center(body.position.template cast<double>(), as_double(body.orientation), side.center)
                .template cast<S>();
   } else {

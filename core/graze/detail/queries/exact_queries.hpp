@@ -38,38 +38,65 @@ Result finished(const Scene<S>& scene, Result result) {
 template <Scalar S, class Result>
 Result finished(const RoundSearch<S>& search, Result result) {
   ++result.counters.exact_decisions;
+  result.counters.supports += search.supports();
   if (search.valid()) return result;
   Result refused;
   refuse_as_too_complex(refused);
   return refused;
 }
 
-// A line of rounded shapes, not at rest: t_in, or t_out as that of the opposite motion.
+// A search that begins with the corners nearest at t = 0, in doubles.
+template <Scalar S>
+void begin_at_start(const Body<S>& a, const Body<S>& b, S target_distance, RoundSearch<S>& search,
+                    Counters& counters) {
+  search.begin_at(nearest_corners(a, b, target_distance, 0.0, counters));
+}
+
+// The first contact on the line, near a guess if that is right. None: the line misses.
+template <Scalar S>
+std::optional<RoundContact> line_entry(const Body<S>& a, const Body<S>& b, S target_distance, double guess,
+                                       RoundSearch<S>& search, Counters& counters) {
+  const bool is_guess = std::abs(guess) < kInfinity<double>;
+  const RoundGuess near = nearest_corners(a, b, target_distance, is_guess ? guess : 0.0, counters);
+  if (is_guess) {
+    if (std::optional<RoundContact> contact = search.contact_near(near, -kInfinity<double>)) return contact;
+  }
+  search.begin_at(near);
+  const auto path = search.path(search.begin(), search.end(kInfinity<double>));
+  if (path == RoundSearch<S>::Path::misses) return {};
+  return search.first_contact(path, near.time);
+}
+
+// A line of rounded shapes, not at rest: t_in, and t_out as that of the opposite motion. line() has the guesses.
 template <Scalar S>
 LineResult<S> round_line(const Body<S>& a, const Body<S>& b, const LineOptions<S>& options) {
-  using Path = typename RoundSearch<S>::Path;
+  const S target = options.target_distance;
   LineResult<S> out;
-  RoundSearch<S> search(a, b, double(options.target_distance));
-  const Dyadic from = search.begin();
-  const Path path = search.path(from, search.end(kInfinity<double>));
-  out.outcome = path == Path::misses ? Outcome::miss : Outcome::hit;
-  if (path == Path::misses) {
+  LineOptions<S> plain;
+  plain.request = Request::verdict;
+  plain.target_distance = target;
+  const LineResult<S> about = line(a, b, plain);
+  out.counters = about.counters;
+  RoundSearch<S> search(a, b, double(target));
+  const auto in = line_entry(a, b, target, double(about.in_lower), search, out.counters);
+  out.outcome = in ? Outcome::hit : Outcome::miss;
+  if (!in) {
     out.normal_in = unit_of(search.separating()).template cast<S>();
     return finished(search, out);
   }
-  const RoundContact in = search.first_contact(path, 0);
   Body<S> back_a = a, back_b = b;
   std::swap(back_a.displacement, back_b.displacement);
-  RoundSearch<S> back(back_a, back_b, double(options.target_distance));
-  const RoundContact leave = back.first_contact(back.path(back.begin(), back.end(kInfinity<double>)), 0);
-  if (!back.valid()) return finished(back, out);
-  out.in_lower = round_down<S>(in.toi.lower);
-  out.in_upper = round_up<S>(in.toi.upper);
-  out.out_lower = round_down<S>(-leave.toi.upper);
-  out.out_upper = round_up<S>(-leave.toi.lower);
+  RoundSearch<S> back(back_a, back_b, double(target));
+  const auto leave = line_entry(back_a, back_b, target, -double(about.out_upper), back, out.counters);
+  if (!leave) return finished(back, out);
+  out.counters.supports += back.supports();
+  out.in_lower = round_down<S>(in->toi.lower);
+  out.in_upper = round_up<S>(in->toi.upper);
+  out.out_lower = round_down<S>(-leave->toi.upper);
+  out.out_upper = round_up<S>(-leave->toi.lower);
   if (asks_for(options.request, Request::normal)) {
-    out.normal_in = unit_of(in.normal).template cast<S>();
-    out.normal_out = unit_of(leave.normal).template cast<S>();
+    out.normal_in = unit_of(in->normal).template cast<S>();
+    out.normal_out = unit_of(leave->normal).template cast<S>();
   }
   return finished(search, out);
 }
@@ -86,6 +113,7 @@ OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b) {
   if (detail::refused(out, a, b, options) || detail::exact::refused(out, a, b)) return out;
   if (!detail::exact::is_sharp(a, b, S(0))) {
     detail::exact::RoundSearch<S> search(a, b, 0);
+    detail::exact::begin_at_start(a, b, S(0), search, out.counters);
     out.outcome = search.start() <= 0 ? Outcome::initially_overlapping : Outcome::miss;
     if (out.outcome == Outcome::miss)
       out.normal = detail::exact::unit_of(search.separating()).template cast<S>();
@@ -120,7 +148,17 @@ SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
   out.invalid = validate(a, b, as_cast);
   if (detail::refused(out, a, b, as_cast) || detail::exact::refused(out, a, b)) return out;
   if (!detail::exact::is_sharp(a, b, options.target_distance)) {
+    CastResult<S> cast;
+    detail::exact::RoundGuess guess;
+    detail::exact::TimeBracket toi;
+    const bool is_cast = detail::exact::fast_round_cast(a, b, as_cast, cast, guess, toi);
+    out.counters = cast.counters;
+    if (is_cast && cast.outcome != Outcome::miss) {
+      out.outcome = Outcome::hit;
+      return out;
+    }
     detail::exact::RoundSearch<S> search(a, b, double(options.target_distance));
+    detail::exact::begin_at_start(a, b, options.target_distance, search, out.counters);
     bool meets = search.start() <= 0;
     if (!meets && search.moves() && options.t_max > 0) {
       meets =
@@ -160,6 +198,7 @@ LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S
     detail::exact::RoundSearch<S> search(a, b, double(options.target_distance));
     if (!search.is_rounded()) return line_exact(detail::flat(a), detail::flat(b), options);
     if (search.moves()) return detail::exact::round_line(a, b, options);
+    detail::exact::begin_at_start(a, b, options.target_distance, search, out.counters);
     out.outcome = search.start() <= 0 ? Outcome::hit : Outcome::miss;
     if (out.outcome == Outcome::miss)
       out.normal_in = detail::exact::unit_of(search.separating()).template cast<S>();

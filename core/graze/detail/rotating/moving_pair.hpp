@@ -320,7 +320,7 @@ class MovingPair {
   // See above. Raised by its own rounding error and by the error of the points.
   [[nodiscard]] double distance_in_common_turn() const {
     const Vec3<double> arms = rounded_once(b_.arm + -a_.arm), axis = unit(a_.mobility.w);
-    const double about = cso_.side_a().reach() + cso_.side_b().reach();
+    const double about = cso_.side_a().reach + cso_.side_b().reach;
     return fl((norm(cross(axis, arms)) + about + 8 * cso_.point_error()) * (1 + 0x1p-44)) +
            32 * kUnitRoundoff<double> * norm(arms) + 0x1p-96 * lengths_;
   }

@@ -24,7 +24,6 @@ inline constexpr double kCertifiedTurningWidth = 1e-9, kCertifiedWidth = 1e-12, 
 // Depth over scale that a contact at the start may have and still be passed over: kappa of tier standard, times u.
 // Tier certified proves its result about it in double. If the rounding of a gap is larger, as with a target distance
 // far above the scale, so many times that.
-// above the scale, so many times that.
 template <Scalar S>
 constexpr double kFollowedDepth(Tier tier) {
   return tier == Tier::standard && sizeof(S) == 4 ? 64 * double(kUnitRoundoff<S>)

@@ -34,6 +34,21 @@ Overloaded(F...) -> Overloaded<F...>;
 template <Scalar S>
 using Parts = std::vector<SharedShape<S>>;
 
+// A shape whose vertices a fast walk takes as they are.
+template <Scalar S>
+[[nodiscard]] bool has_fast_search(const Shape<S>& shape) {
+  return std::holds_alternative<Hull<S>>(shape) || std::holds_alternative<Box<S>>(shape) ||
+         std::holds_alternative<Point<S>>(shape) || std::holds_alternative<Segment<S>>(shape) ||
+         std::holds_alternative<Triangle<S>>(shape);
+}
+
+// The shape inside of a rounding of such a shape. Any other shape itself, valid or not.
+template <Scalar S>
+[[nodiscard]] const Shape<S>& without_ball(const Shape<S>& shape) {
+  const auto* rounded = std::get_if<Rounded<S>>(&shape);
+  return rounded && rounded->shape && has_fast_search(rounded->shape->shape) ? rounded->shape->shape : shape;
+}
+
 template <Scalar S>
 Quaternion<double> as_double(const Quaternion<S>& q) {
   return {double(q.w), double(q.x), double(q.y), double(q.z)};

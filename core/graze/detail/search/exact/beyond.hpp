@@ -4,7 +4,7 @@
 //
 // C is a sum, so each leaf is queried alone: does it have a vertex x with n.(x - x_0) > 0, x_0 its vertex in c_0? If
 // no leaf has one, c_0 is proved to be a maximum. Within a leaf, the sign in doubles decides if it is beyond its
-// rounding. A tie by indices is decided for free. Everything else is decided exactly (scene.hpp).
+// rounding. A tie by indices is decided for free. Everything else is decided exactly (exact_scene.hpp).
 //
 // Ties by construction are these three, or two of them combined:
 //   - A step across an axis that n is parallel to.

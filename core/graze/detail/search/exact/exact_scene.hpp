@@ -22,7 +22,7 @@ class Scene {
   // length_exponent k, speed_exponent j.
   Scene(const Body<S>& a, const Body<S>& b, int length_exponent, int speed_exponent)
       : a_(a), b_(b), k_(length_exponent), j_(speed_exponent), unit_(power_of_two(-length_exponent)) {
-    const Quaternion<double> turn_a = turn_of(a.orientation), turn_b = turn_of(b.orientation);
+    const Quaternion<double> turn_a = turn_of(a), turn_b = turn_of(b);
     if (is_leaf(a.shape) && is_leaf(b.shape)) {
       own_[0].init(a.shape, false, turn_a);
       own_[1].init(b.shape, true, turn_b);
@@ -206,6 +206,12 @@ class Scene {
 
   static bool is_leaf(const Shape<S>& shape) {
     return !std::holds_alternative<Posed<S>>(shape) && !std::holds_alternative<Sum<S>>(shape);
+  }
+  // A rotation of a point about itself has no effect.
+  static Quaternion<double> turn_of(const Body<S>& body) {
+    const Shape<S>& core = without_ball(body.shape);
+    const bool is_point = std::holds_alternative<Point<S>>(core) || std::holds_alternative<Sphere<S>>(core);
+    return is_point ? Quaternion<double>{} : turn_of(body.orientation);
   }
   static Quaternion<double> turn_of(const Quaternion<S>& q) {
     if (q.is_identity()) return {};

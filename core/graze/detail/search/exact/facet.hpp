@@ -94,7 +94,7 @@ inline TimeBracket bracket_of(const ExactTime& time) {
 struct FineTime {
   Pair numerator{0, 0}, denominator{1, 0};
   double error_n = 0, error_d = 0;
-  bool known = false;  // the denominator is beyond its error, and all is in the range of scene.hpp
+  bool known = false;  // the denominator is beyond its error, and all is in the range of exact_scene.hpp
 
   // numerator - s denominator, s >= 0 in size, and its error bound.
   [[nodiscard]] double rest(double s, double& error) const {

@@ -13,7 +13,7 @@
 //   leaving  (pass_over, r = r_A + r_B > 0) iff the ray from the start keeps w*.w* >= r^2. At rest, iff f(0) >= r^2.
 // A path without end is cut at a t with v.(t v - c) >= 0 for every c: f does not fall from there on.
 //
-// Search: Newton steps from below for the root of |w| - R, which is convex, so that they pass it only by rounding.
+// Search: Newton steps for the root of |w| - R, which is convex, so that steps from below pass it only by rounding.
 // Then doubling steps and bisection over the doubles. An estimate changes the cost and never the answer.
 // Frame: world axes, the caller's units.
 #pragma once
@@ -53,6 +53,7 @@ class RoundSearch {
 
   // False: a number outgrew its room.
   [[nodiscard]] bool valid() const { return valid_; }
+  [[nodiscard]] int supports() const { return supports_; }
   [[nodiscard]] bool is_rounded() const { return radius_.sign() > 0; }
   [[nodiscard]] bool has_balls() const { return balls_.sign() > 0; }
   [[nodiscard]] bool moves() const { return !is_zero(v_); }
@@ -95,8 +96,8 @@ class RoundSearch {
     if (seeds_.empty()) seeds_ = {Id{}};
   }
   // The first contact, if it is near the guess: f falls from R^2 or above at one double, and is not above R^2 at the
-  // next. Neither the start nor the verdict needs a check then.
-  [[nodiscard]] std::optional<RoundContact> contact_near(const RoundGuess& guess) {
+  // next. Neither the start nor the verdict needs a check then. No contact at `after` or before is returned.
+  [[nodiscard]] std::optional<RoundContact> contact_near(const RoundGuess& guess, double after = 0) {
     begin_at(guess);
     double t = guess.time, lower = -kInfinity<double>, upper = kInfinity<double>;
     for (int step = 0; step < kSteps && valid_; ++step) {
@@ -109,7 +110,7 @@ class RoundSearch {
       if (next_up(lower) == upper) return contact_in({lower, upper});
       const double root = falls ? t + newton() : t, beside = next(t, sign > 0);
       t = std::abs(root - t) > std::abs(beside - t) && root > lower && root < upper ? root : beside;
-      if (!(t > 0 && t < kInfinity<double>)) return {};
+      if (!(t > after && t < kInfinity<double>)) return {};
     }
     return {};
   }
@@ -160,6 +161,7 @@ class RoundSearch {
       return c;
     }
     [[nodiscard]] std::optional<Id> lowest(const Dyadic3& p) const {
+      ++own.supports_;
       Id out{own.farthest(own.a_, minus(p)), own.farthest(own.b_, p), false};
       out.late = dot(p, own.v_).sign() > 0 && (to - from).sign() > 0;
       return own.valid_ ? std::optional<Id>(out) : std::nullopt;
@@ -211,7 +213,7 @@ class RoundSearch {
     return dot(near_->p(), v_).sign() > 0;
   }
   [[nodiscard]] bool is_before(double t) { return is_falling_at(t) && near_->sign_of_f() >= 0; }
-  // After is_before(t): Newton's step from there, as rounded.
+  // After is_falling_at(t): Newton's step from there, as rounded.
   [[nodiscard]] double newton() const {
     const Dyadic reach = radius_ * near_->weight(),
                  below = near_->below() * near_->weight() * near_->weight();
@@ -238,13 +240,12 @@ class RoundSearch {
     double lower = first, upper = last;
     double t = guess > first && guess < last ? guess : first;
     for (int step = 0; step < kNewton && valid_; ++step) {
-      if (!is_before(t)) {
-        upper = t;
-        break;
-      }
-      lower = t;
-      const double next = std::min(t + newton(), last);
-      if (!(next > t)) break;
+      const bool falls = is_falling_at(t), before = falls && near_->sign_of_f() >= 0;
+      (before ? lower : upper) = t;
+      if (!before && lower > first) break;
+      // Where f falls, a step from beyond the root lands below it.
+      const double next = std::clamp(falls ? t + newton() : first, first, last);
+      if (!(before ? next > t : next < t)) break;
       t = next;
     }
     // Doubling steps away from the end nearest to the estimate. The other end is the path's.
@@ -430,6 +431,7 @@ class RoundSearch {
   std::optional<Points> points_;
   std::optional<Nearest> near_;
   std::vector<Id> seeds_ = {Id{}};
+  int supports_ = 0;  // of K, in exact numbers
   bool valid_ = true;
 };
 

@@ -52,7 +52,7 @@ struct Leaf {
 
   void init(const Shape<S>& given, bool is_of_b, const Quaternion<double>& outer_turn) {
     of_b = is_of_b;
-    shape = &given;
+    shape = &without_ball(given);
     outer = outer_turn;
     turned = !outer.is_identity();
     if (const auto* hull = std::get_if<Hull<S>>(shape)) {

@@ -1,7 +1,7 @@
 // The exact portal cast: computes where the line {t v} enters C = A - B and where it leaves.
 //
 // Seen along v, C is a polygon and the line is the origin o. Every decision is the sign of a determinant of
-// exact terms: in doubles with an error bound, else by `scene.hpp`. Notation
+// exact terms: in doubles with an error bound, else by `exact_scene.hpp`. Notation
 //   side(c, d) = det(c, d, v):  > 0 where o is to the left of the edge c -> d;
 //   portal     = three vertices of C, o inside their triangle, all sides > 0;
 //   n          = -+ (c_1 - c_0) x (c_2 - c_0), the portal's normal against v (entry) or along it (exit).

@@ -1,5 +1,5 @@
 // Computes where the path enters C = K + ball(R). K = A - B the difference of two cores that are polytopes, R > 0
-// their radii and the target distance: spheres, capsules, and polytopes at a distance. It works in doubles and may
+// their radii and the target distance: spheres, capsules, rounded polytopes, and polytopes at a distance. It works in doubles and may
 // give up.
 //
 // The path is s r, 0 <= s <= s_end, in the units and the frame of prepared_pair.hpp.
@@ -28,7 +28,7 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 template <Scalar S>
 [[nodiscard]] bool is_round(const Shape<S>& shape) {
   return std::holds_alternative<Sphere<S>>(shape) || std::holds_alternative<Capsule<S>>(shape) ||
-         has_fast_search(shape);
+         has_fast_search(without_ball(shape));
 }
 
 inline constexpr int kRoundSteps = 32;
