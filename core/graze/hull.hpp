@@ -22,6 +22,10 @@ struct HullGraph;  // detail/shapes/hull_graph.hpp
 }
 
 /// The type of the points in a list of points.
+///
+/// @code
+/// static_assert(std::same_as<graze::PointOf<std::vector<Eigen::Vector3f>>, Eigen::Vector3f>);
+/// @endcode
 template <class Points>
 using PointOf = typename decltype(std::span(std::declval<const Points&>()))::value_type;
 /// Points one after the other in memory: a vector, an array or a span of `Vec3<float>` or `Vec3<double>`, which are

@@ -167,6 +167,11 @@ class Shape
 };
 
 /// The object that a SharedShape points to.
+///
+/// @code
+/// const graze::SharedShape<double> part = graze::share<double>(graze::Sphere<double>{2});
+/// assert(std::get<graze::Sphere<double>>(part->shape).radius == 2);
+/// @endcode
 template <Scalar S>
 struct ShapeNode {
   Shape<S> shape;  ///< The part.
