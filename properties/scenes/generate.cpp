@@ -87,18 +87,20 @@ class Generator {
     }
   }
   Shape<double> shape() {
-    switch (random_.below(10)) {
+    const std::uint32_t kind = random_.below(10);
+    if (exact_ && kind >= 3 && kind <= 5) return polytope();
+    switch (kind) {
       case 0:
         return Sphere<double>{size()};
       case 1:
       case 2:
         return Capsule<double>{size(), size()};
       case 3:
-        return exact_ ? polytope() : Cylinder<double>{size(), size()};
+        return Cylinder<double>{size(), size()};
       case 4:
-        return exact_ ? polytope() : Cone<double>{size(), size()};
+        return Cone<double>{size(), size()};
       case 5:
-        return exact_ ? polytope() : Ellipsoid<double>{Vec3<double>(size(), size(), size())};
+        return Ellipsoid<double>{Vec3<double>(size(), size(), size())};
       case 6:
         return rounded<double>(polytope(), size());
       case 7:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The rooms of core: no two include each other, no two files share a name, every header opens namespaces that tags see,
-and the page of the architecture shows the ladder that the header states. Only engines/system/linux.cpp includes headers of
-POSIX in the command. usage: rooms_test.py SOURCE_DIR"""
+and the page of the architecture shows the ladder that the header states. In the command only engines/system has headers of
+POSIX and calls of the system. usage: rooms_test.py SOURCE_DIR"""
 import pathlib
 import re
 import sys

@@ -2,8 +2,8 @@
 //
 //   n.(+-R x) = +-(R^T n).x,   R the leaf's rotation, - for a leaf of B:
 //
-// n is formed once, in the leaf's own axes, in each of the two arithmetics beyond plain doubles (exact_scene.hpp), and each
-// when it is first needed. A step between two vertices is there the difference of two given numbers, exact as a pair,
+// n is formed once, in the leaf's own axes, in each of the two arithmetics beyond plain doubles (exact_scene.hpp), and
+// each when first needed. A step between two vertices is there the difference of two given numbers, exact as a pair,
 // so that a sign costs three products. Thousands of vertices may be closer to the plane than the rounding of doubles,
 // as the caps of two prisms that are parallel up to the last bits.
 //

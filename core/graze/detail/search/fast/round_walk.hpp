@@ -1,6 +1,6 @@
 // Computes where the path enters C = K + ball(R). K = A - B the difference of two cores that are polytopes, R > 0
-// their radii and the target distance: spheres, capsules, rounded polytopes, and polytopes at a distance. It works in doubles and may
-// give up.
+// their radii and the target distance: spheres, capsules, rounded polytopes, and polytopes at a distance. It works in
+// doubles and may give up.
 //
 // The path is s r, 0 <= s <= s_end, in the units and the frame of prepared_pair.hpp.
 // Notation   F   up to three corners of K, the feature that the path is expected to meet.   x = s r
