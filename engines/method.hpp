@@ -164,8 +164,11 @@ struct Method {
 
 // True if tier exact answers this case, as a method of the tier sees it. For any other case the tier returns
 // invalid_input with Invalid::not_exact. This is written from the documentation of the tier and not from its code:
-// points, segments, triangles, boxes, hulls, spheres, capsules, posed, summed and rounded, at any target distance.
+// points, segments, triangles, boxes, hulls, spheres, capsules, posed, summed and rounded, at any target distance, and
+// exact rays.
 [[nodiscard]] bool is_exact_question(const corpus::Case& seen);
+// True for the cast of a point at an ellipsoid, a cylinder or a cone, without a target distance.
+[[nodiscard]] bool is_exact_ray(const corpus::Case& seen);
 // True for exact questions without rounded shapes and target distances.
 [[nodiscard]] bool is_sharp_question(const corpus::Case& seen);
 

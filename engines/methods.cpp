@@ -147,8 +147,21 @@ bool is_polytope(const Shape<double>& shape, bool rounded) {
 
 }  // namespace
 
+bool is_exact_ray(const corpus::Case& seen) {
+  const auto is_point = [](const Shape<double>& shape) {
+    return std::holds_alternative<Point<double>>(shape);
+  };
+  const auto is_solid = [](const Shape<double>& shape) {
+    return std::holds_alternative<Ellipsoid<double>>(shape) ||
+           std::holds_alternative<Cylinder<double>>(shape) || std::holds_alternative<Cone<double>>(shape);
+  };
+  return seen.query == corpus::Query::cast && seen.target_distance == 0 &&
+         ((is_point(seen.a.shape) && is_solid(seen.b.shape)) ||
+          (is_point(seen.b.shape) && is_solid(seen.a.shape)));
+}
+
 bool is_exact_question(const corpus::Case& seen) {
-  return is_polytope(seen.a.shape, true) && is_polytope(seen.b.shape, true);
+  return (is_polytope(seen.a.shape, true) && is_polytope(seen.b.shape, true)) || is_exact_ray(seen);
 }
 
 bool is_sharp_question(const corpus::Case& seen) {

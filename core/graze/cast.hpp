@@ -81,8 +81,8 @@ CastResult<S> cast_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptio
 /// S. A tie may take a second search in pairs of doubles.
 template <Scalar S>
 CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {});
-/// The exact tier, whatever tier and method the options name. Ellipsoids, cylinders, cones and hulls of
-/// shapes are `invalid_input` (Invalid::not_exact).
+/// The exact tier, whatever tier and method the options name. A point can be cast at an ellipsoid, a cylinder or a
+/// cone without a target distance. Otherwise these and hulls of shapes are `invalid_input` (Invalid::not_exact).
 template <Scalar S>
 CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {});
 

@@ -15,6 +15,9 @@
 /// with 0 <= s <= T, then TOI <= s. In a portal of cores, the points have no offsets, and the combination is within
 /// R = r_A + r_B + m of s v, with the radii r of the balls around the cores.
 ///
+/// A point against an ellipsoid, a cylinder or a cone needs neither, if m = 0: whether the point is in contact at a
+/// given time is the sign of a polynomial, so that the checker decides a claim without an axis or a portal itself.
+///
 /// Every number is a double, whatever scalar made the proof. A proof states only bounds that hold without condition
 /// for the true shapes. The checker shares no code with the search.
 #pragma once

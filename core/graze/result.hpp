@@ -168,8 +168,8 @@ enum class Invalid : std::uint8_t {
   bad_horizon,    ///< `t_max` is below zero or NaN.
   bad_target,     ///< `target_distance` is below zero, infinite, NaN or out of range.
   bad_tolerance,  ///< `tolerance` is below zero, infinite or NaN, or a budget is below one.
-  /// The exact tier does not support the input: an ellipsoid, a cylinder, a cone, a hull of shapes, or a visible
-  /// rotation.
+  /// The exact tier does not support the input: a hull of shapes, a visible rotation, or an ellipsoid, a cylinder or a
+  /// cone other than in the cast of a point.
   not_exact,
   not_linear,  ///< A visible rotation with an infinite `t_max`.
   /// The start policy pass_over with a visible rotation: the method does not follow the contact of the start, or the

@@ -6,6 +6,7 @@
 #include "oracles/arithmetic/dual.hpp"
 #include "oracles/arithmetic/dyadic.hpp"
 #include "oracles/arithmetic/number_text.hpp"
+#include "oracles/checker/ray_claim.hpp"
 #include "oracles/checker/tree_axis.hpp"
 
 namespace graze::oracle {
@@ -411,6 +412,26 @@ template <class Bodies>
   return {};
 }
 
+// The claims of a ray that name neither axis nor portal are decided here, and taken from `proof`.
+[[nodiscard]] Verdict check_ray(const corpus::Case& problem, Proof& proof) {
+  const std::optional<RayClaim> ray = RayClaim::of(problem);
+  if (!ray) return {};
+  if (proof.toi_lower > 0 && !proof.has_axis) {
+    const bool is_miss = !(proof.toi_lower <= problem.t_max) || proof.toi_lower == kInfinity<double>;
+    if (is_miss ? ray->touches_by(problem.t_max) : !ray->is_free_before(proof.toi_lower))
+      return {is_miss ? Refusal::miss_not_proved : Refusal::lower_not_proved,
+              "the point is in the solid before toi_lower " + text(proof.toi_lower)};
+    proof.toi_lower = 0;
+  }
+  if (proof.toi_upper < kInfinity<double> && proof.portal_size == 0) {
+    if (!ray->touches_by(std::min(problem.t_max, proof.toi_upper)))
+      return {Refusal::upper_not_proved,
+              "the point is not in the solid up to toi_upper " + text(proof.toi_upper)};
+    proof.toi_upper = kInfinity<double>;
+  }
+  return {};
+}
+
 // Apart, so that the polytopes' way stays small.
 [[gnu::noinline]] Verdict check_trees(const corpus::Case& problem, const Proof& proof, const Cascade& cascade,
                                       MovedBounds* moved) {
@@ -423,8 +444,10 @@ template <class Bodies>
   if (const Entry entry = read_case(problem, proof, of_a, of_b, {a.vertex_count(), b.vertex_count()});
       entry.refusal != Refusal::none)
     return {entry.refusal, entry.reason};
+  Proof rest = proof;
+  if (Verdict verdict = check_ray(problem, rest); !verdict.accepted()) return verdict;
   const TreePair pair{a, b, problem.a, problem.b};
-  return check_claims(problem, proof, TreeBodies(pair, proof), cascade, moved);
+  return check_claims(problem, rest, TreeBodies(pair, rest), cascade, moved);
 }
 
 [[nodiscard]] Verdict check(const corpus::Case& problem, const Proof& proof, const Cascade& cascade,
@@ -487,7 +510,8 @@ Verdict check_bracket(const corpus::Case& problem, const Proof& proof, MovedBoun
   if (!(proof.toi_lower < proof.toi_upper && proof.toi_upper < kInfinity<double>))
     return check(problem, proof, cascade, nullptr);
   // The door and the points ask nothing that a moved bound would change, once the lower one is above 0.
-  if (proof.toi_lower > 0 && problem.target_distance == 0 && !proof.of_cores)
+  if (proof.toi_lower > 0 && problem.target_distance == 0 && !proof.of_cores && proof.has_axis &&
+      proof.portal_size > 0)
     return check(problem, proof, cascade, &moved);
   Verdict verdict = check(problem, proof, cascade, nullptr);
   if (!verdict.accepted()) return verdict;

@@ -8,7 +8,8 @@
 //     in balls of 128 to 4,096 bits, then with exact sums and products. Portals are decided as above.
 // A symbolic axis is computed in the arithmetic at hand, so its result is exact too. The points of its
 // factors may lie anywhere, as every vector but zero is an axis. A nearest axis and a portal of cores are about
-// polytopes plus a ball, combined ones included, and take no square roots.
+// polytopes plus a ball, combined ones included, and take no square roots. Claims about a point and an ellipsoid, a
+// cylinder or a cone that name no axis or no portal are decided in rational numbers (ray_claim.hpp).
 //
 // Cost: tight proofs, 8 to 16 vertices, median, in microseconds (bench/check_proof_bench.cpp).
 //   proof                                                    identity poses   rotated poses

@@ -75,7 +75,23 @@ class Path {
   }
   std::vector<QuadraticRoot> times;
   bool overlapping = false;
+  // How far inside of each bound of a solid, above 0 inside: d_0 + d_1 t + d_2 t^2.
+  std::vector<std::array<Rational, 3>> depths;
 
+  // Of an overlapping start in a solid: is it inside soon after, or all the time if it rests? If it is ever inside, as the
+  // solid is convex.
+  [[nodiscard]] bool goes_in() const {
+    return std::all_of(depths.begin(), depths.end(), [](const std::array<Rational, 3>& d) {
+      const auto first = std::find_if(d.begin(), d.end(), [](const Rational& x) { return sgn(x) != 0; });
+      return first != d.end() && sgn(*first) > 0;
+    });
+  }
+  void quadric(const Rational& a, const Rational& b, const Rational& c,
+               const std::vector<Linear>& conditions) {
+    depths.push_back({-c, 2 * b, -a});
+    for (const Linear& l : conditions) depths.push_back({l.alpha, l.beta, 0});
+    add(a, b, c, conditions);
+  }
   [[nodiscard]] const RationalPoint& start() const { return c0_; }
   [[nodiscard]] const RationalPoint& velocity() const { return w_; }
   [[nodiscard]] Linear along(const RationalPoint& n, const Rational& constant) const {
@@ -220,7 +236,7 @@ void meet_ellipsoid(Path& path, const std::array<Rational, 3>& r) {
     c += weight * path.start()[i] * path.start()[i];
   }
   if (sgn(c) <= 0) path.overlapping = true;
-  path.add(a, b, c, {});
+  path.quadric(a, b, c, {});
 }
 
 void meet_cylinder(Path& path, const Rational& radius, const Rational& half) {
@@ -228,25 +244,22 @@ void meet_cylinder(Path& path, const Rational& radius, const Rational& half) {
   const Linear above = {half + x[2], w[2]}, below = {half - x[2], -w[2]};
   const Rational c = x[0] * x[0] + x[1] * x[1] - radius * radius;
   if (sgn(c) <= 0 && sgn(above.alpha) >= 0 && sgn(below.alpha) >= 0) path.overlapping = true;
-  path.add(w[0] * w[0] + w[1] * w[1], -(w[0] * x[0] + w[1] * x[1]), c, {above, below});
+  path.quadric(w[0] * w[0] + w[1] * w[1], -(w[0] * x[0] + w[1] * x[1]), c, {above, below});
   path.disk(above, radius);
   path.disk(below, radius);
 }
 
-// 4 half^2 (x^2 + y^2) = radius^2 (half - z)^2 for |z| <= half.
+// 4 half^2 (x^2 + y^2) = radius^2 (half - z)^2 for |z| <= half. Without height it is a disk.
 void meet_cone(Path& path, const Rational& radius, const Rational& half) {
+  if (sgn(half) == 0) return meet_cylinder(path, radius, half);
   const RationalPoint &x = path.start(), &w = path.velocity();
   const Linear above = {half + x[2], w[2]}, below = {half - x[2], -w[2]};
   const Rational k = 4 * half * half, r_sq = radius * radius;
   const Rational c = k * (x[0] * x[0] + x[1] * x[1]) - r_sq * below.alpha * below.alpha;
-  const bool between = sgn(above.alpha) >= 0 && sgn(below.alpha) >= 0;
-  const bool on_disk = x[0] * x[0] + x[1] * x[1] <= r_sq;
-  if (between && sgn(c) <= 0 && on_disk) path.overlapping = true;
-  if (sgn(half) > 0) {
-    path.add(k * (w[0] * w[0] + w[1] * w[1]) - r_sq * w[2] * w[2],
-             -(k * (w[0] * x[0] + w[1] * x[1]) + r_sq * below.alpha * w[2]), c, {above, below});
-    path.disk(below, 0);  // the apex, met along a generator
-  }
+  if (sgn(above.alpha) >= 0 && sgn(below.alpha) >= 0 && sgn(c) <= 0) path.overlapping = true;
+  path.quadric(k * (w[0] * w[0] + w[1] * w[1]) - r_sq * w[2] * w[2],
+               -(k * (w[0] * x[0] + w[1] * x[1]) + r_sq * below.alpha * w[2]), c, {above, below});
+  path.disk(below, 0);  // the apex, met along a generator
   path.disk(above, radius);
 }
 
@@ -336,7 +349,12 @@ std::optional<ClosedForm> ClosedForm::of(const corpus::Case& problem) {
   if (!path) return {};
   ClosedForm form;
   if (path->overlapping) {
-    if (problem.start_policy == corpus::StartPolicy::pass_over) return {};
+    if (problem.start_policy == corpus::StartPolicy::pass_over) {
+      if (path->depths.empty()) return {};
+      form.lower_ = form.upper_ = kInf;
+      if (!path->goes_in()) return form;
+      form.lower_ = form.upper_ = 0;
+    }
     form.outcome_ = Outcome::initially_overlapping;
     form.exact_ = "0";
     form.times_.push_back({0, 0, 0});

@@ -27,7 +27,8 @@ struct QuadraticRoot {
 
 class ClosedForm {
  public:
-  // Nothing for a pair that has no closed form here, and for a start in contact under the policy pass_over.
+  // Nothing for a pair that has no closed form here, and for a start in contact under the policy pass_over, unless it is
+  // of a point and a solid that is not flat.
   // Throws std::invalid_argument for bad input (as LinearTruth).
   [[nodiscard]] static std::optional<ClosedForm> of(const corpus::Case& problem);
 

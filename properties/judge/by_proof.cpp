@@ -16,12 +16,14 @@ namespace {
 //   distance of t v from C   <= |s - t| |v|, for the contact at s in [proof.toi_lower, proof.toi_upper].
 //   depth of the path over [0, t)  <= (t - proof.toi_lower) |n.v| / |n|: move C by that much against n, and
 //   the axis proves that the path up to t misses it.
-// For a symbolic axis |n.v| / |n| is taken as its bound |v|.
+// For a symbolic axis, and for a ray whose claim needs none, |n.v| / |n| is taken as its bound |v|.
 double proved_backward_error(const Proof& proof, const Vec3<double>& v, double t) {
   const double apart = std::max({proof.toi_upper - t, t - proof.toi_lower, 0.0}) * v.norm();
-  const double slope = proof.symbolic ? v.norm() : std::abs(proof.axis.normalized().dot(v));
+  const bool by_triple = proof.has_axis && !proof.symbolic;
+  const double slope = by_triple ? std::abs(proof.axis.normalized().dot(v)) : v.norm();
+  const bool claims = proof.has_axis || proof.toi_lower > 0;
   const double before =
-      t > proof.toi_lower ? (proof.has_axis ? (t - proof.toi_lower) * slope : kInfinity<double>) : 0;
+      t > proof.toi_lower ? (claims ? (t - proof.toi_lower) * slope : kInfinity<double>) : 0;
   return kSlack * std::max(apart, before);
 }
 

@@ -19,6 +19,7 @@
 #include "engines/method.hpp"
 #include "oracles/checker/check_proof.hpp"
 #include "oracles/truth/case_truth.hpp"
+#include "oracles/truth/closed_form.hpp"
 
 namespace graze::law {
 
@@ -97,9 +98,10 @@ inline ExactFinding judge_exact_by_proof(const corpus::Case& seen, const engine:
   return {.settled = lower > 0};
 }
 
-// Judges by the true answer for the case as the method saw it. Returns the fault, or empty.
-inline std::string exact_fault_by_truth(const oracle::CaseTruth& truth, const engine::Answer& answer,
-                                        bool in_float) {
+// Judges by the true answer for the case as the method saw it: by the exact oracle's, or a closed form. Returns the
+// fault, or empty.
+template <class Truth>
+std::string exact_fault_by_truth(const Truth& truth, const engine::Answer& answer, bool in_float) {
   if (answer.outcome != truth.outcome()) return "the verdict is not the exact oracle's";
   if (answer.outcome != Outcome::hit) return {};
   return detail::same_bracket(answer, truth.toi_lower(), truth.toi_upper(), in_float)

@@ -219,8 +219,11 @@ class LinearJudge {
     judgement_.by_oracle = true;
     const CaseTruth& truth = truth_.cast();
     // For many vertices it is a bracket, which gives no information about the last bits.
-    if (truth.is_exact())
+    if (truth.is_exact()) {
       add_fault(judgement_.wrong, exact_fault_by_truth(truth, answer_, method_.in_float()));
+    } else if (const auto closed = oracle::ClosedForm::of(problem())) {
+      add_fault(judgement_.wrong, exact_fault_by_truth(*closed, answer_, method_.in_float()));
+    }
     const Limits limits = limits_of(method_, problem(), truth.scale().high);
     judge_contact(judgement_, truth, answer_, method_, problem(), limits, request_);
     judgement_.errors = errors_of(truth_, answer_, request_);

@@ -98,7 +98,8 @@ LawResult exact_equals_oracle(const Case& problem, const Method& method) {
 
 LawResult exact_queries_agree(const Case& problem, const Method& method) {
   Case seen = method.seen(problem);
-  if (!is_asked(method, seen)) return not_applicable("not a cast of tier exact");
+  if (!is_asked(method, seen) || engine::is_exact_ray(seen))
+    return not_applicable("not a cast of tier exact, or a ray that its queries do not take");
   seen.start_policy = StartPolicy::report;
   const Answer cast = method.ask(seen, {});
   const std::string fault = query_fault(seen, method, cast, hash_of(seen) % kOracleShare == 0);
@@ -119,8 +120,13 @@ ExactJudgement judge_exact(const Case& seen, const Method& method, bool ask_orac
   const Answer& answer = judgement.answer;
   const bool is_a_round_tie = answer.outcome == Outcome::hit && answer.counters.exact_decisions > 0 &&
                               answer.proof && answer.proof->of_cores;
-  const bool is_a_tie = answer.toi_upper == seen.t_max || is_a_round_tie;
+  const bool is_a_tie = answer.toi_upper == seen.t_max || is_a_round_tie || engine::is_exact_ray(seen);
   if (!judgement.fault.empty() || (finding.settled && !ask_oracle && !is_a_tie)) return judgement;
+  if (const auto closed = oracle::ClosedForm::of(seen); closed && engine::is_exact_ray(seen)) {
+    judgement.by_oracle = true;
+    judgement.fault = exact_fault_by_truth(*closed, judgement.answer, in_float);
+    return judgement;
+  }
   if (!is_exactly_decided(seen) || !has_truth(seen)) return judgement;
   judgement.by_oracle = true;
   judgement.fault = exact_fault_by_truth(truth_of(seen), judgement.answer, in_float);

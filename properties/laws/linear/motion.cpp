@@ -199,6 +199,7 @@ LawResult reversing(const Case& problem, const Method& method) {
   if (result.holding != Holding::holds) return result;
   result.labels.push_back(label_of(two.outcome));
   if (two.outcome == Outcome::not_converged || seen.a.displacement == seen.b.displacement) return result;
+  if (method.is_exact() && engine::is_exact_ray(seen)) return result;  // no line_exact of it
   Case question = seen;
   question.query = corpus::Query::line;
   const engine::Method* line =
@@ -257,6 +258,8 @@ LawResult extending(const Case& problem, const Method& method) {
 LawResult threshold_of_swept_overlap(const Case& problem, const Method& method) {
   const Case seen = reporting(method.seen(problem));
   if (!is_question_for(method, seen)) return outside();
+  if (method.is_exact() && engine::is_exact_ray(seen))
+    return not_applicable("no swept_overlap_exact of a ray at a solid");
   const Answer one = method.ask(seen, {});
   LawResult result = holds({label_of(one.outcome)});
   if (one.outcome == Outcome::not_converged) return result;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <graze/cast.hpp>
+#include <graze/distance.hpp>
 
 #include "tests/shared/generate.hpp"
 
@@ -81,7 +82,7 @@ TEST(Rays, AreWhatClosedFormsSay) {
         const Body<double> body{.shape = known.shape, .position = place, .orientation = q};
         const V from = turned(q, known.from), way = turned(q, known.to - known.from);
         const V normal = known.normal.squaredNorm() > 0 ? unit(turned(q, known.normal)) : known.normal;
-        for (const Tier tier : {Tier::standard, Tier::certified}) {
+        for (const Tier tier : {Tier::standard, Tier::certified, Tier::exact}) {
           for (const bool swapped : {false, true}) {
             const Body<double> point = ray(place + from, way);
             const CastResult<double> r = swapped ? cast_by(tier, point, body) : cast_by(tier, body, point);
@@ -244,7 +245,10 @@ TEST(Rays, OfSolidsMeetTheSearches) {
       // A tie: the standard tier is on the other side by no more than its limit. The search says the same of its own.
       ASSERT_NE(quick.outcome, Outcome::not_converged) << i;
       if (sure.outcome == Outcome::hit) {
-        ASSERT_TRUE(sure.toi_lower * speed < 256 * kU * scale || quick.outcome == Outcome::miss) << i;
+        // Or it starts beside the surface, and meets it later.
+        ASSERT_TRUE(sure.toi_lower * speed < 256 * kU * scale || quick.outcome == Outcome::miss ||
+                    distance(s.body, s.point).lower < 256 * kU * scale)
+            << i;
       }
       ++ties;
       continue;

@@ -64,6 +64,17 @@ TEST(ClosedForm, RayMeetsAConeAtItsApexOnItsSideAndOnItsBase) {
   EXPECT_EQ(exact_time(ray(c, Vec(-5, 0, 4), Vec(10, 0, 0))), "miss") << "the mirror cone above is not there";
 }
 
+TEST(ClosedForm, RayMeetsADiskInItsPlane) {
+  for (const Shape<double>& disk :
+       {Shape<double>(Cone<double>{2, 0}), Shape<double>(Cylinder<double>{2, 0})}) {
+    EXPECT_EQ(exact_time(ray(disk, Vec(6, 0, 0), Vec(-8, 0, 0))), "1/2");
+    EXPECT_EQ(exact_time(ray(disk, Vec(2, -4, 0), Vec(0, 8, 0))), "1/2") << "a tangent";
+    EXPECT_EQ(exact_time(ray(disk, Vec(1, 1, 4), Vec(0, 0, -8))), "1/2");
+    EXPECT_EQ(exact_time(ray(disk, Vec(6, 0, 1), Vec(-8, 0, 0))), "miss");
+    EXPECT_EQ(exact_time(ray(disk, Vec(1, 0, 0), Vec(-8, 0, 0))), "0");
+  }
+}
+
 TEST(ClosedForm, BallMeetsABoxOnAFaceAnEdgeAndACorner) {
   corpus::Case problem;
   problem.a.shape = Box<double>{Vec(1, 1, 1)};

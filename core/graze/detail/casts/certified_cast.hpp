@@ -647,12 +647,19 @@ bool exact_round_bracket(const Body<S>& a, const Body<S>& b, const CastOptions<S
   out = exactly;
   return true;
 }
-// Rays: boxes and triangles exactly.
+// Rays: boxes and triangles exactly, and of the others what the clip leaves open.
 template <Scalar S>
 bool ray_bracket(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
   if (kind_of(a, b, options.target_distance) == PairKind::polytopes) return ray_exact(a, b, options, out);
-  if (!ray_certified(a, b, options, out)) return false;
-  add_certified_proof(a, b, options, out);
+  if (ray_certified(a, b, options, out)) {
+    add_certified_proof(a, b, options, out);
+    return true;
+  }
+  CastResult<S> exactly;
+  if (!is_solid_ray(a, b, options.target_distance) || !ray_exact(a, b, options, exactly) ||
+      exactly.invalid != Invalid::none)
+    return false;
+  out = exactly;
   return true;
 }
 template <Scalar S>

@@ -5,7 +5,8 @@
 //           rounding of lower itself, 4 u t |w| <= 4 u (|o|_1 + reach).
 //   upper   The solid holds the ball of radius e about x.
 //   width   |x - nearest(x)| at lower, and the depth before upper, h(n) - n.x there, each with e more.
-// The clip proves a miss and a start in contact.
+// The clip proves a miss and a start in contact. Tier exact decides what it leaves open at a cylinder, a cone or an
+// ellipsoid (exact_ray.hpp).
 #pragma once
 
 #include <graze/detail/casts/certified_bracket.hpp>

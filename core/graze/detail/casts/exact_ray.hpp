@@ -1,12 +1,15 @@
-// The cast of a point at a box or a triangle in tier exact, where doubles know the facet that is met.
+// The cast of a point in tier exact.
 //
-// The clips decide what is beyond their predicate_error. For a hit the facet's corners are then known, and the time
-// agrees with the exact tier (search/exact/meeting.hpp) to the last bit. The exact walk decides the open cases and
-// provides every proof.
+// The clips decide what is beyond their predicate_error. For a hit of a box or a triangle the facet's corners are then
+// known, and the time agrees with the exact tier (search/exact/meeting.hpp) to the last bit. The exact walk decides the
+// open cases and provides every proof. The time at an ellipsoid, a cylinder or a cone is the root of a quadratic
+// (search/exact/solid_ray.hpp), and the clip's misses and starts save that.
 #pragma once
 
 #include <graze/detail/casts/exact_answer_cast.hpp>
 #include <graze/detail/casts/ray_cast.hpp>
+#include <graze/detail/search/exact/solid_ray.hpp>
+#include <graze/detail/search/exact/solid_ray_bracket.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
@@ -84,11 +87,92 @@ template <Scalar S>
   return true;
 }
 
-// The rung: for boxes and triangles, unless a proof is requested.
+// A point against an ellipsoid, a cylinder or a cone, without a target distance.
+template <Scalar S>
+[[nodiscard]] bool is_solid_ray(const Body<S>& a, const Body<S>& b, S target_distance) {
+  const auto is_point = [](const Body<S>& body) { return std::holds_alternative<Point<S>>(body.shape); };
+  return !(target_distance > 0) &&
+         ((is_point(b) && exact::is_quadric(a.shape)) || (is_point(a) && exact::is_quadric(b.shape)));
+}
+
+template <Scalar S>
+void fill_solid_contact(const Body<S>& a, const Body<S>& b, const exact::SolidContact& contact,
+                        const CastOptions<S>& options, CastResult<S>& out) {
+  const bool point_is_b = std::holds_alternative<Point<S>>(b.shape);
+  out.outcome = Outcome::hit;
+  out.toi_lower = round_down<S>(contact.toi.lower);
+  out.toi_upper = round_up<S>(contact.toi.upper);
+  const Vec3<double> v = wide(b.displacement) - wide(a.displacement);
+  out.distance = static_cast<S>((double(out.toi_upper) - double(out.toi_lower)) * norm(v));
+  if (asks_for(options.request, Request::normal)) {
+    const Vec3<double>& n = contact.normal;
+    out.normal = (point_is_b ? n : Vec3<double>(-n)).template cast<S>();
+  }
+  if (!asks_for(options.request, Request::witnesses)) return;
+  const Body<S>&solid = point_is_b ? a : b, &point = point_is_b ? b : a;
+  const double t = double(out.toi_lower);
+  (point_is_b ? out.point_a : out.point_b) =
+      RayTarget<S>(solid).placed(triple(contact.point), t).vector().template cast<S>();
+  (point_is_b ? out.point_b : out.point_a) =
+      (triple(point.position) + t * triple(point.displacement)).vector().template cast<S>();
+}
+
+// What the answer claims. Neither claim needs an axis or a portal (proof.hpp).
+template <Scalar S>
+void prove_solid_ray(const CastOptions<S>& options, const exact::TimeBracket& toi, CastResult<S>& out) {
+  if (!asks_for(options.request, Request::proof) || out.passed_over) return;
+  Proof proof;
+  if (out.outcome == Outcome::miss) proof.toi_lower = kInfinity<double>;
+  if (out.outcome == Outcome::initially_overlapping) proof.toi_upper = 0;
+  if (out.outcome == Outcome::hit) {
+    proof.toi_lower = toi.lower;
+    proof.toi_upper = toi.upper;
+  }
+  out.proof = under_policy(proof, options.start_policy);
+}
+
+template <Scalar S>
+[[gnu::noinline]] void cast_solid_ray(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                                      CastResult<S>& out) {
+  const bool point_is_b = std::holds_alternative<Point<S>>(b.shape);
+  const Body<S>&solid = point_is_b ? a : b, &point = point_is_b ? b : a;
+  const auto set = [&](bool starts) {
+    out.outcome = starts ? Outcome::initially_overlapping : Outcome::miss;
+    out.toi_lower = out.toi_upper = starts ? S(0) : kInfinity<S>;
+  };
+  RayHit hit;
+  clip_solid(RayTarget<S>(solid), path_of(point, options), hit);
+  set(hit.kind == RayHit::Kind::start);
+  exact::SolidContact contact;
+  if (hit.kind == RayHit::Kind::hit) contact = exact::SolidRayBracket(solid, point).prove(hit.t);
+  if (contact.proved && contact.toi.upper <= double(options.t_max)) {
+    fill_solid_contact(a, b, contact, options, out);
+  } else if (hit.kind == RayHit::Kind::hit || hit.kind == RayHit::Kind::open) {
+    ++out.counters.exact_decisions;
+    exact::SolidRay ray(solid, point);
+    if (ray.touches_at_start()) {
+      out.passed_over = options.start_policy == StartPolicy::pass_over && ray.leaves_or_slides();
+      set(!out.passed_over);
+    } else if (ray.first_contact(double(options.t_max), contact)) {
+      fill_solid_contact(a, b, contact, options, out);
+    }
+    if (!ray.valid()) {
+      out = {};
+      exact::refuse_as_too_complex(out);
+      return;
+    }
+  }
+  prove_solid_ray(options, contact.toi, out);
+}
+
+// The rung. A proof of a box or a triangle is left to the exact walk.
 template <Scalar S>
 bool ray_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
-  if (!is_ray(a, b) || asks_for(options.request, Request::proof) || !clip_cast_exactly(a, b, options, out))
+  if (is_solid_ray(a, b, options.target_distance)) {
+    cast_solid_ray(a, b, options, out);
+  } else if (asks_for(options.request, Request::proof) || !clip_cast_exactly(a, b, options, out)) {
     return false;
+  }
   out.method = Method::exact_portal;
   return true;
 }

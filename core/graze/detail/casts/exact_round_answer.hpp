@@ -28,8 +28,6 @@ bool is_sharp(const Body<S>& a, const Body<S>& b, S target_distance) {
   return !(target_distance > 0) && is_exact(a.shape) && is_exact(b.shape);
 }
 
-inline Vec3<double> unit_of(const Dyadic3& n) { return over_length(detail::direction_of(n)); }
-
 // A start in contact, pass_over: does the motion leave or slide? The target distance does not count.
 template <Scalar S>
 bool leaves_or_slides(const Body<S>& a, const Body<S>& b, RoundSearch<S>& search, Counters& counters) {

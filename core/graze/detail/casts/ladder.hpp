@@ -14,10 +14,11 @@
 //   other          robust_mpr_sweep     robust_gjk_ray       exact_walk_if_flat                     exact_or_refused
 //                                                            certified_search
 //
-// A ray is a point against one of seven shapes. If its rung leaves it open, the row of its kind decides. Conservative
-// advancement has the one rung robust_advancement. Without a method, tier standard takes MPR for polytopes and curved
-// pairs, and the GJK ray for the rest. fast_cast and fast_ray_cast pass the cases that rounding decides to the exact
-// walk. The table is also in docs/explanation/architecture.md, and a test compares the two.
+// A ray is a point against one of seven shapes. If its rung leaves it open, the row of its kind decides. ray_exact
+// decides every ray at an ellipsoid, a cylinder or a cone, unless it has a target distance. Conservative advancement has
+// the one rung robust_advancement. Without a method, tier standard takes MPR for polytopes and curved pairs, and the GJK
+// ray for the rest. fast_cast and fast_ray_cast pass the cases that rounding decides to the exact walk. The table is also
+// in docs/explanation/architecture.md, and a test compares the two.
 #pragma once
 
 #include <graze/cast.hpp>

@@ -7,6 +7,7 @@
 // those are accurate enough, otherwise exactly. Proof: only its times are rounded, outward (proof.hpp).
 #pragma once
 
+#include <graze/detail/search/exact/exact_nearest.hpp>
 #include <graze/detail/search/exact/facet.hpp>
 #include <graze/detail/search/exact/passage.hpp>
 
@@ -29,6 +30,7 @@ Vec3<double> over_length_as(Vec3<double> n) {
 inline Vec3<double> over_length(const Vec3<double>& n) {
   return fuses() ? over_length_as<true>(n) : over_length_as<false>(n);
 }
+inline Vec3<double> unit_of(const Dyadic3& n) { return over_length(detail::direction_of(n)); }
 
 // f_1 x f_2 over its length.
 template <Scalar S>

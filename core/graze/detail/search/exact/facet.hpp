@@ -78,16 +78,20 @@ inline double near_quotient(const Dyadic& numerator, const Dyadic& denominator) 
   return numerator.sign() < 0 ? -out : out;
 }
 
-inline TimeBracket bracket_of(const ExactTime& time) {
-  double lower = near_quotient(time.numerator, time.denominator);
-  while (time.compare(lower) < 0) lower = next_down(lower);
+// The doubles next to a time, from a guess. sign_of_rest(t): of the time minus t.
+template <class SignOfRest>
+TimeBracket bracket_by(double lower, const SignOfRest& sign_of_rest) {
+  while (sign_of_rest(lower) < 0) lower = next_down(lower);
   while (true) {
-    const int at = time.compare(lower);
-    if (at == 0) return {lower, lower};
+    if (sign_of_rest(lower) == 0) return {lower, lower};
     const double up = next_up(lower);
-    if (time.compare(up) < 0) return {lower, up};
+    if (sign_of_rest(up) < 0) return {lower, up};
     lower = up;
   }
+}
+inline TimeBracket bracket_of(const ExactTime& time) {
+  return bracket_by(near_quotient(time.numerator, time.denominator),
+                    [&](double t) { return time.compare(t); });
 }
 
 // The quotient in pairs of doubles, if they are accurate enough.
