@@ -15,7 +15,7 @@
   family(smooth_graze) family(slivers) family(far_own_frame) family(mixed_magnitudes) \
   family(level_prisms) family(at_rest) family(coaxial) family(equal_distances) \
   family(parallel_caps) family(rods_and_round) family(smooth_depths) family(rays) \
-  family(round_ties) family(apexes)
+  family(round_ties) family(apexes) family(ray_ties)
 
 // Those in which bodies turn.
 #define GRAZE_ROTATING_FAMILIES(family) \

@@ -1,5 +1,7 @@
 #include "corpus/families/placing.hpp"
 
+#include <Eigen/Geometry>
+
 namespace graze::corpus {
 
 std::vector<Vec3<double>> corners(const Shape<double>& shape) {
@@ -66,6 +68,12 @@ void turn_by_half_turn(Draw& draw, Case& problem) {
     body->position = rotate(q, body->position);
     body->displacement = rotate(q, body->displacement);
   }
+}
+
+Vec3<double> rotate_scaled(const Quaternion<double>& q, const Vec3<double>& x) {
+  const Vec3<double> r(q.x, q.y, q.z);
+  const Vec3<double> twice = 2 * q.w * r.cross(x);
+  return ((q.w * q.w - r.dot(r)) * x + twice) + 2 * r.dot(x) * r;
 }
 
 }  // namespace graze::corpus

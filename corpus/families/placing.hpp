@@ -21,6 +21,8 @@ void draw_horizon(Random& random, Case& problem);
 [[nodiscard]] double small_unit(const Draw& draw, double k);
 // Half a turn of the scene about one of the axes, or none: exact whatever the orientations are.
 void turn_by_half_turn(Draw& draw, Case& problem);
+// |q|^2 R(q) x, exact for small integers.
+[[nodiscard]] Vec3<double> rotate_scaled(const Quaternion<double>& q, const Vec3<double>& x);
 // The path passes a top feature (vertex, edge, face, or the pole of a sphere) of C at the height delta above
 // it. The horizon may be infinite.
 void pass_top_feature(Draw& draw, Case& problem, double delta);

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"
+#include "corpus/families/placing.hpp"
 
 namespace graze::corpus {
 namespace {
@@ -19,13 +20,6 @@ struct Direction {
   double x, y, z, length;
 };
 constexpr Direction kDirections[] = {{0, 0, 1, 1}, {3, 4, 0, 5}, {1, 2, 2, 3}, {2, 3, 6, 7}, {1, 4, 8, 9}};
-
-// |q|^2 R(q) x, exact for small integers.
-Vec3<double> rotate_scaled(const Quaternion<double>& q, const Vec3<double>& x) {
-  const Vec3<double> r(q.x, q.y, q.z);
-  const Vec3<double> twice = 2 * q.w * r.cross(x);
-  return ((q.w * q.w - r.dot(r)) * x + twice) + 2 * r.dot(x) * r;
-}
 
 // A core whose farthest point along n is `top`. Where n has a component 0, that point is anywhere on the grid of the edge
 // or the face, or at its end.

@@ -39,9 +39,12 @@ std::vector<Case> near_ties(int count) {
   std::vector<Case> out;
   out.reserve(static_cast<std::size_t>(count));
   corpus::Random random(20261122), round(20261123);
+  const Family &rays = *corpus::find_family("ray_ties"), &rounds = *corpus::find_family("round_ties");
   for (int i = 0; i < count; ++i) {
     out.push_back(draw_near_tie(random));
     if (i % 16 == 0) out.push_back(draw_round_tie(round));
+    if (i % 16 == 8) out.push_back(rays.generate(0, static_cast<std::uint64_t>(i / 16)));
+    if (i % 16 == 12) out.push_back(rounds.generate(0, static_cast<std::uint64_t>(i / 16)));
   }
   return out;
 }
