@@ -178,7 +178,7 @@ class SolidRay {
     along = Dyadic();
     if (!(form_.apex > 0)) return n;
     along = Dyadic(form_.tilt) * root_up(dot(n.x, n.x));
-    for (const std::size_t i : {0, 1}) n.x[i] = Dyadic(2 * form_.apex) * n.x[i];
+    for (std::size_t i = 0; i < 2; ++i) n.x[i] = Dyadic(2 * form_.apex) * n.x[i];
     return n;
   }
 
