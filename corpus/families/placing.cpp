@@ -1,6 +1,7 @@
 #include "corpus/families/placing.hpp"
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 namespace graze::corpus {
 
@@ -74,6 +75,33 @@ Vec3<double> rotate_scaled(const Quaternion<double>& q, const Vec3<double>& x) {
   const Vec3<double> r(q.x, q.y, q.z);
   const Vec3<double> twice = 2 * q.w * r.cross(x);
   return ((q.w * q.w - r.dot(r)) * x + twice) + 2 * r.dot(x) * r;
+}
+
+IntegerPassage draw_passage(Random& random, const Vec3<double>& n) {
+  Vec3<double> along;
+  for (int i = 0; i < 3; ++i) along[i] = random.integer(-2, 2);
+  Vec3<double> v = n.cross(along);
+  double t0 = std::scalbn(1.0, -random.integer(0, 2));
+  switch (random.below(8)) {
+    case 0:
+      t0 = 0;
+      break;
+    case 1:
+      t0 = 0;
+      v += random.integer(1, 2) * n;
+      break;
+    case 2:
+      t0 = 0;
+      v = Vec3<double>::Zero();
+      break;
+    case 3:
+    case 4:
+      v -= random.integer(1, 2) * n;
+      break;
+    default:
+      break;
+  }
+  return {4 * v, t0};
 }
 
 }  // namespace graze::corpus

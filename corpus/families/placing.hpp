@@ -23,6 +23,12 @@ void draw_horizon(Random& random, Case& problem);
 void turn_by_half_turn(Draw& draw, Case& problem);
 // |q|^2 R(q) x, exact for small integers.
 [[nodiscard]] Vec3<double> rotate_scaled(const Quaternion<double>& q, const Vec3<double>& x);
+// An integer motion v past a contact with normal n: on a tangent, in, out, or none. The contact is at t0, at times 0.
+struct IntegerPassage {
+  Vec3<double> v;
+  double t0;
+};
+[[nodiscard]] IntegerPassage draw_passage(Random& random, const Vec3<double>& n);
 // The path passes a top feature (vertex, edge, face, or the pole of a sphere) of C at the height delta above
 // it. The horizon may be infinite.
 void pass_top_feature(Draw& draw, Case& problem, double delta);

@@ -4,7 +4,6 @@
 //
 // The scene is rotated by an integer quaternion q, with every length times |q|^2: the tie stays exact. Contact is at the
 // start, on the path, or at t_max, which may be the double before it.
-#include <Eigen/Geometry>
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"
@@ -94,31 +93,7 @@ void fill_ray_ties(Draw& draw, double hardness, Case& problem) {
       },
       touch.shape);
 
-  // On a tangent, or also in or out.
-  Vec3<double> along;
-  for (int i = 0; i < 3; ++i) along[i] = random.integer(-2, 2);
-  Vec3<double> v = touch.normal.cross(along);
-  double t0 = std::scalbn(1.0, -random.integer(0, 2));
-  switch (random.below(8)) {
-    case 0:
-      t0 = 0;
-      break;
-    case 1:
-      t0 = 0;
-      v += random.integer(1, 2) * touch.normal;
-      break;
-    case 2:
-      t0 = 0;
-      v = Vec3<double>::Zero();
-      break;
-    case 3:
-    case 4:
-      v -= random.integer(1, 2) * touch.normal;
-      break;
-    default:
-      break;
-  }
-  v = 4 * v;
+  const auto [v, t0] = draw_passage(random, touch.normal);
   Vec3<double> at;
   for (int i = 0; i < 3; ++i) at[i] = random.integer(-8, 8);
   problem.a.shape = touch.shape;

@@ -6,7 +6,6 @@
 // The scene is rotated by an integer quaternion q, with every length times |q|^2: the tie stays exact. Where the
 // direction has a component 0, the nearest points are on an edge or a face, at times at its end, which is a boundary of
 // Voronoi regions. Contact is at the start, on the path, or at t_max, which may be the double before it.
-#include <Eigen/Geometry>
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"
@@ -99,31 +98,7 @@ void fill_round_ties(Draw& draw, double hardness, Case& problem) {
   problem.b.shape = grown(random, b.shape, share[1]);
   problem.target_distance = share[2];
 
-  // From a side of n, on it, or back.
-  Vec3<double> along;
-  for (int i = 0; i < 3; ++i) along[i] = random.integer(-2, 2);
-  Vec3<double> v = n.cross(along);
-  double t0 = std::scalbn(1.0, -random.integer(0, 2));
-  switch (random.below(8)) {
-    case 0:
-      t0 = 0;
-      break;
-    case 1:
-      t0 = 0;
-      v += random.integer(1, 2) * n;
-      break;
-    case 2:
-      t0 = 0;
-      v = Vec3<double>::Zero();
-      break;
-    case 3:
-    case 4:
-      v -= random.integer(1, 2) * n;
-      break;
-    default:
-      break;
-  }
-  v = 4 * v;
+  const auto [v, t0] = draw_passage(random, n);
   Vec3<double> at_a;
   for (int i = 0; i < 3; ++i) at_a[i] = random.integer(-8, 8);
   problem.a.orientation = problem.b.orientation = q;

@@ -17,6 +17,9 @@ namespace {
 using test::Draw;
 using V = Vec3<double>;
 
+// Each component of a normal is within 2 u of itself (exact_answer.hpp), and norm() rounds by 2 u.
+constexpr double kLength = 4 * kUnitRoundoff<double>;
+
 Body<double> point(const V& at, const V& way) {
   return {.shape = Point<double>{}, .position = at, .displacement = way};
 }
@@ -127,7 +130,7 @@ TEST(SolidRay, DecidesTiesThatAreKnownByHand) {
       EXPECT_EQ(r.toi_upper, known.t) << known.what;
       if (!(known.t < never)) continue;
       const V n = swapped ? V(-r.normal) : r.normal, at = known.from + known.t * known.way;
-      EXPECT_NEAR(n.norm(), 1, 1e-15) << known.what;
+      EXPECT_NEAR(n.norm(), 1, kLength) << known.what;
       EXPECT_LE(n.dot(known.way), 0) << known.what;
       if (known.normal.norm() > 0) {
         EXPECT_LE((n - known.normal).norm(), 3e-16) << known.what;
@@ -170,7 +173,7 @@ TEST(SolidRay, KnowsSolidsWithoutThickness) {
       expect_proof(question(a, ray, 1), one);
       if (one.outcome != Outcome::hit) continue;
       ++hits;
-      EXPECT_NEAR(one.normal.norm(), 1, 1e-15);
+      EXPECT_NEAR(one.normal.norm(), 1, kLength);
       EXPECT_LE(one.normal.dot(way), 0);
     }
   }

@@ -56,7 +56,7 @@ TEST(RayClaim, HoldsUpToTheContactAndFromItOn) {
     corpus::Case ends = problem;
     ends.t_max = before(t);
     EXPECT_EQ(claim(ends, kNever, kNever), Refusal::none);
-    EXPECT_EQ(claim(ends, t, kNever), Refusal::none) << "no contact at all is none before t";
+    EXPECT_EQ(claim(ends, t, kNever), Refusal::none) << "nothing touches, so nothing touches before t";
     EXPECT_EQ(claim(ends, 0, 1), Refusal::upper_not_proved) << "contact after the end does not count";
     ends.t_max = t;
     EXPECT_EQ(claim(ends, t, t), Refusal::none);
