@@ -187,6 +187,12 @@ void add_queries(std::vector<Method>& out) {
       Query::overlap, "exact", "exact",
       [](const B& a, const B& b, const Case&, const Ask&) { return overlap_exact(a, b); }, &of_overlap<S>);
   add(
+      Query::distance, "exact", "exact",
+      [](const B& a, const B& b, const Case&, const Ask& ask) {
+        return distance_exact(a, b, searching<S>(DistanceOptions<S>{}, ask));
+      },
+      &of_distance<S>);
+  add(
       Query::line, "exact", "exact",
       [](const B& a, const B& b, const Case& c, const Ask& ask) {
         return line_exact(a, b, line_options<S>(c, ask));

@@ -12,7 +12,7 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
-/// The options of distance(). Options out of range are `invalid_input`.
+/// The options of distance() and distance_exact(), which only checks `tolerance` and `max_iterations`. Options out of range are `invalid_input`.
 template <Scalar S>
 struct DistanceOptions {
   Request request = Request::normal | Request::witnesses;  ///< The results to compute. There is no proof.
@@ -21,7 +21,7 @@ struct DistanceOptions {
   WarmStart start = {};      ///< The `warm` of an earlier answer about the pair.
 };
 
-/// The answer of distance().
+/// The answer of distance() and distance_exact().
 template <Scalar S>
 struct DistanceResult {
   Invalid invalid = Invalid::none;  ///< If it is not none, nothing else but `invalid_at` is valid.
@@ -65,9 +65,25 @@ DistanceResult<S> distance(const Body<S>& a, const Body<S>& b, const DistanceOpt
 template <Scalar S>
 DistanceResult<S> distance(const Prepared<S>& a, const Prepared<S>& b,
                            const DistanceOptions<S>& options = {});
+/// The same for the true shapes: the distance is between two neighbouring numbers S, or is one. Only for the shapes of
+/// the exact tier (cast.hpp). Others are invalid (Invalid::not_exact).
+///
+/// It computes in exact numbers. It allocates memory, and takes 10 to 40 times as long as distance().
+///
+/// @code
+/// const graze::Body<double> box{.shape = graze::Box<double>{{1, 1, 1}}};
+/// const graze::Body<double> ball{.shape = graze::Sphere<double>{2}, .position = {4, 5, 1}};
+/// assert(graze::distance_exact(box, ball).lower == 3 && graze::distance_exact(box, ball).upper == 3);
+/// const graze::Body<double> point{.position = {2, 2, 0}};
+/// const graze::DistanceResult<double> r = graze::distance_exact(box, point);  // the root of 2
+/// assert(r.lower < r.upper && r.upper == std::nextafter(r.lower, 2.0));
+/// @endcode
+template <Scalar S>
+DistanceResult<S> distance_exact(const Body<S>& a, const Body<S>& b, const DistanceOptions<S>& options = {});
 
 }}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
 #include <graze/detail/queries/distance_query.hpp>
+#include <graze/detail/queries/exact_queries.hpp>
 #endif

@@ -10,6 +10,7 @@ namespace graze { inline namespace GRAZE_LINKAGE {
                                                                                                            \
   template CastResult<S> cast_exact(const Body<S>&, const Body<S>&, const CastOptions<S>&);                \
   template OverlapResult<S> overlap_exact(const Body<S>&, const Body<S>&);                                 \
+  template DistanceResult<S> distance_exact(const Body<S>&, const Body<S>&, const DistanceOptions<S>&);    \
   template LineResult<S> line_exact(const Body<S>&, const Body<S>&, const LineOptions<S>&);                \
   template SweptOverlapResult<S> swept_overlap_exact(const Body<S>&, const Body<S>&,                       \
                                                      const SweptOverlapOptions<S>&);

@@ -162,15 +162,30 @@ class RepresentedJudge : public QueryJudge {
   Truth& truth_;
 };
 
-// Verdict and both ends of the line to the last bit.
+// The closest points of bodies that are apart: on the bodies, and as far apart as the bodies are.
+void judge_closest_points(Truth& truth, const Method& method, const Answer& answer, const Enclosure& distance,
+                          double limit, Judgement& judgement) {
+  const double u = method.unit_roundoff, rounding = 2 * u * (answer.point_a.norm() + answer.point_b.norm());
+  if (!answer.has_points) judgement.bad_contact = "a witness is missing";
+  for (const char body : {'a', 'b'}) {
+    const Vec3<double>& point = body == 'a' ? answer.point_a : answer.point_b;
+    const double off = truth.at_rest().distance_from_body(body, 0, point).low - 2 * u * point.norm();
+    if (!(off <= limit)) judgement.bad_contact = fmt::format("a witness is {:.2e} off its body", off);
+  }
+  const double between = (answer.point_a - answer.point_b).norm(),
+               off = std::max(distance.low - between, between - distance.high) - rounding;
+  if (!(off <= limit)) judgement.bad_contact = fmt::format("the closest points' distance is {:.2e} off", off);
+}
+
+// Verdict, distance and both ends of the line to the last bit.
 Judgement judge_exact_query(Truth& truth, const Method& method, const Answer& answer) {
   const corpus::Case& problem = truth.problem();
   const bool in_float = method.in_float();
   Judgement judgement;
   judgement.outcome = answer.outcome;
   corpus::Case question = problem;
-  // An overlap knows no target distance.
-  if (problem.query == Query::overlap) question.target_distance = 0;
+  // An overlap and a distance know no target distance.
+  if (problem.query == Query::overlap || problem.query == Query::distance) question.target_distance = 0;
   if (!engine::is_exact_question(question)) {
     judgement.skipped = true;
     if (answer.invalid != Invalid::not_exact) judgement.wrong = "answers what is not for the exact tier";
@@ -178,15 +193,15 @@ Judgement judge_exact_query(Truth& truth, const Method& method, const Answer& an
   }
   judgement.by_oracle = true;
   judgement.stalled = answer.outcome == Outcome::not_converged;
+  const auto is = [&](const std::optional<Interval>& bracket, const Enclosure& end) {
+    return bracket && bracket->lower == detail::outward_down(end.low, in_float) &&
+           bracket->upper == detail::outward_up(end.high, in_float);
+  };
   if (problem.query == Query::line) {
     const std::optional<oracle::ContactInterval> exact = truth.moving().contact_interval();
     if (answer.outcome != (exact ? Outcome::hit : Outcome::miss))
       judgement.wrong = "the verdict is not the oracle's";
     if (!exact || !judgement.wrong.empty()) return judgement;
-    const auto is = [&](const std::optional<Interval>& bracket, const Enclosure& end) {
-      return bracket && bracket->lower == detail::outward_down(end.low, in_float) &&
-             bracket->upper == detail::outward_up(end.high, in_float);
-    };
     if (!is(answer.t_in, exact->in)) judgement.off = "t_in is not the oracle's, rounded outward";
     if (!is(answer.t_out, exact->out)) judgement.off = "t_out is not the oracle's, rounded outward";
     return judgement;
@@ -196,10 +211,17 @@ Judgement judge_exact_query(Truth& truth, const Method& method, const Answer& an
   const Outcome claim = swept ? Outcome::hit : Outcome::initially_overlapping;
   if (answer.outcome != (contact ? claim : Outcome::miss))
     judgement.wrong = "the verdict is not the oracle's";
-  if (!swept && answer.outcome == Outcome::miss && !contact && answer.has_normal()) {
-    const double beyond = std::max(0.0, truth.penetration().reach(answer.normal).low);
-    const double scale = truth.at_rest().scale().high;
-    if (beyond > limits_of(method, problem, scale).contact) {
+  if (swept || contact || answer.outcome != Outcome::miss) return judgement;
+  const double scale = truth.at_rest().scale().high, limit = limits_of(method, problem, scale).contact;
+  Enclosure distance{0, 0};
+  if (problem.query == Query::distance) {
+    distance = truth.at_rest().distance();
+    if (!is(answer.separation, distance)) judgement.off = "the distance is not the oracle's, rounded outward";
+    judge_closest_points(truth, method, answer, distance, limit, judgement);
+  }
+  if (answer.has_normal()) {
+    const double beyond = std::max(0.0, truth.penetration().reach(answer.normal).low + distance.high);
+    if (beyond > limit) {
       judgement.bad_contact = fmt::format("the normal is {:.2e} off separating", beyond);
     }
     judgement.errors.normal = over(beyond, scale);

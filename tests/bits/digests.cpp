@@ -64,6 +64,7 @@ void others(Table& table, const Body<S>& a, const Body<S>& b, const CastOptions<
   SweptOverlapOptions<S> swept{.t_max = options.t_max, .target_distance = options.target_distance};
   table.add<S>("line, exact", line_exact(a, b, of_line));
   table.add<S>("overlap, exact", overlap_exact(a, b));
+  table.add<S>("distance, exact", distance_exact(a, b));
   table.add<S>("swept overlap, exact", swept_overlap_exact(a, b, swept));
   if (table.exact_only()) return;
   table.add<S>("line", line(a, b, of_line));

@@ -6,6 +6,7 @@
 // are sampled, so a maximum over the samples is a lower bound of the maximum over the core.
 #pragma once
 
+#include <graze/detail/numeric/dyadic.hpp>
 #include <graze/detail/shapes/shape_tree.hpp>
 #include <vector>
 
@@ -25,6 +26,16 @@ inline constexpr long kDifferenceBits = 2048;
 
 inline Ball positive_part(const Ball& x) { return oracle::not_below_zero(x); }
 inline Ball two_to(int k) { return oracle::power_of_two(k); }
+inline Ball exactly(detail::exact::Dyadic x) {
+  Ball out;
+  while (x.sign() != 0) {
+    const double leading = x.leading();
+    const int order = x.order();
+    out += Ball(leading) * two_to(order);
+    x = x - detail::exact::Dyadic(leading).times_power_of_two(order);
+  }
+  return out;
+}
 inline BallVec zero_vector() { return BallVec(Vec3<double>::Zero()); }
 inline Ball sine(const Ball& x) {
   Ball out;

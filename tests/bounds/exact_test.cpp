@@ -24,16 +24,6 @@ using oracle::WorkingPrecision;
 constexpr long kExactBits = 40000;  // more than a Dyadic holds
 
 Ball exactly(const Pair& x) { return Ball(x.hi) + Ball(x.lo); }
-Ball exactly(Dyadic x) {
-  Ball out;
-  while (x.sign() != 0) {
-    const double leading = x.leading();
-    const int order = x.order();
-    out += Ball(leading) * two_to(order);
-    x = x - Dyadic(leading).times_power_of_two(order);
-  }
-  return out;
-}
 std::string text(const Pair& x, const Pair& y) {
   std::ostringstream out;
   out << std::hexfloat << "  " << x.hi << " + " << x.lo << ", " << y.hi << " + " << y.lo << "\n";

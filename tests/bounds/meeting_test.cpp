@@ -25,16 +25,6 @@ using oracle::WorkingPrecision;
 
 constexpr long kExactBits = 16000;
 
-Ball exactly(Dyadic x) {
-  Ball out;
-  while (x.sign() != 0) {
-    const double leading = x.leading();
-    const int order = x.order();
-    out += Ball(leading) * two_to(order);
-    x = x - Dyadic(leading).times_power_of_two(order);
-  }
-  return out;
-}
 BallVec exactly(const detail::exact::Exact& x) {
   const Ball weight = exactly(x.weight);
   return {exactly(x.x[0]) / weight, exactly(x.x[1]) / weight, exactly(x.x[2]) / weight};

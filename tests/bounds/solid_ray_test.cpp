@@ -18,27 +18,38 @@ struct Ray {
   double t = 0;
 };
 
-// -g and the ways to the planes, in the axes of the solid about its centre, times W = |q|^2 and W^2.
-struct TrueDepths {
-  Ball inside[3];
-  int size = 1;
+// A point of the ray in the axes of the solid about its centre, times W = |q|^2.
+struct TruePoint {
+  BallVec x;
+  Ball weight;
 };
-TrueDepths true_depths(const Ray& ray) {
+TruePoint true_point(const Ray& ray, const Ball& t) {
   const Quaternion<double> q = ray.solid.orientation.is_identity()
                                    ? Quaternion<double>{}
                                    : detail::exact::scaled_to_one(ray.solid.orientation);
-  const Ball w(q.w), weight = w * w + Ball(q.x) * Ball(q.x) + Ball(q.y) * Ball(q.y) + Ball(q.z) * Ball(q.z);
+  const Ball w(q.w);
   const BallVec u(-Vec3<double>(q.x, q.y, q.z));
-  const Ball t(ray.t);
   const BallVec way = BallVec(ray.point.displacement) - BallVec(ray.solid.displacement);
   const BallVec d = (BallVec(ray.point.position) - BallVec(ray.solid.position)) + t * way;
   // conj(q) d q = (w^2 - u.u) d + 2 (u.d) u + 2 w u x d, with the reversed u.
-  const BallVec x = ((w * w - dot(u, u)) * d + (Ball(2) * dot(u, d)) * u) + (Ball(2) * w) * cross(u, d);
+  return {((w * w - dot(u, u)) * d + (Ball(2) * dot(u, d)) * u) + (Ball(2) * w) * cross(u, d),
+          w * w + dot(u, u)};
+}
+
+// -g and the ways to the planes, times W^2 and W, and minus half of the gradient of -g.
+struct TrueDepths {
+  Ball inside[3];
+  int size = 1;
+  BallVec gradient;
+};
+TrueDepths true_depths(const Ray& ray, const Ball& t) {
+  const auto [x, weight] = true_point(ray, t);
   TrueDepths out;
   if (const auto* ellipsoid = std::get_if<Ellipsoid<double>>(&ray.solid.shape)) {
     const Ball a(ellipsoid->radii[0]), b(ellipsoid->radii[1]), c(ellipsoid->radii[2]);
     const Ball p = x.x * b * c, r = x.y * a * c, s = x.z * a * b, all = a * b * c * weight;
     out.inside[0] = all * all - (p * p + r * r + s * s);
+    out.gradient = {p * b * c, r * a * c, s * a * b};
     return out;
   }
   out.size = 3;
@@ -47,15 +58,28 @@ TrueDepths true_depths(const Ray& ray) {
     const Ball r = Ball(cylinder->radius) * weight;
     half = Ball(cylinder->half_height) * weight;
     out.inside[0] = r * r - (x.x * x.x + x.y * x.y);
+    out.gradient = {x.x, x.y, Ball(0)};
   } else {
     const auto& cone = std::get<Cone<double>>(ray.solid.shape);
     half = Ball(cone.half_height) * weight;
     const Ball below = Ball(cone.radius) * (half - x.z), two = Ball(2) * Ball(cone.half_height);
     out.inside[0] = below * below - (two * two) * (x.x * x.x + x.y * x.y);
+    out.gradient = {two * two * x.x, two * two * x.y, Ball(cone.radius) * below};
   }
   out.inside[1] = x.z + half;
   out.inside[2] = half - x.z;
   return out;
+}
+
+// The quadric's outward normal, in world axes, where the path enters it after `from`.
+BallVec true_normal(const Ray& ray, double from) {
+  // inside is a + b s + c s^2 at from + s, so three values give it.
+  const Ball at(from), a = true_depths(ray, at).inside[0], up = true_depths(ray, at + Ball(1)).inside[0],
+                       down = true_depths(ray, at - Ball(1)).inside[0];
+  const Ball b = (up - down) / Ball(2), c = (up + down) / Ball(2) - a;
+  const Ball step = -(Ball(2) * a) / (b + sqrt(b * b - Ball(4) * a * c));
+  const BallVec n = true_depths(ray, at + step).gradient;
+  return unit_of(BallRotation(ray.solid.orientation).apply(n));
 }
 
 // At t it is at a point inside of the solid's bounds, or near its centre.
@@ -125,7 +149,7 @@ TEST(SolidRayBounds, DepthsOfAPointOnTheRay) {
     const CastResult<double> hit = cast(ray.solid, ray.point, {.t_max = kInfinity<double>});
     if (hit.outcome == Outcome::hit && hit.toi_lower > 0) ray.t = hit.toi_lower;
     const auto depths = bracket.depths_at<false>(ray.t);
-    const TrueDepths truth = true_depths(ray);
+    const TrueDepths truth = true_depths(ray, Ball(ray.t));
     const auto with = [&] {
       std::ostringstream out;
       out << std::hexfloat << "  shape " << ray.solid.shape.index() << " t " << ray.t << "\n";
@@ -139,6 +163,44 @@ TEST(SolidRayBounds, DepthsOfAPointOnTheRay) {
   }
   quadric.finish(1500);
   planes.finish(2000);
+}
+
+// Near an apex, a rim, a flat side, or anywhere.
+TEST(SolidRayBounds, NormalsOfContacts) {
+  const WorkingPrecision precision(4096);
+  HostileDraw draw(212);
+  Tally normals("ray at a solid: the normal, over 16 u");
+  for (int i = 0; i < rounds(4000); ++i) {
+    Ray ray = draw_ray(draw);
+    if (const auto* cone = std::get_if<Cone<double>>(&ray.solid.shape); cone && draw.chance(0.7)) {
+      // At the apex, less a little across it.
+      const Mat3<double> turn = detail::rotation_matrix(ray.solid.orientation);
+      const Vec3<double> apex = Vec3<double>(turn * Vec3<double>(0, 0, cone->half_height));
+      const double off = draw.power(-50, -10);
+      const Vec3<double> across(off * draw.plain().between(-1, 1), off * draw.plain().between(-1, 1), 0);
+      ray.solid.position = ray.solid.displacement = Vec3<double>::Zero();
+      ray.point.position = Vec3<double>(turn * Vec3<double>(0, 0, 16)) + across;
+      ray.point.displacement = 2 * (apex + across - ray.point.position);
+    }
+    const CastResult<double> hit = cast(ray.solid, ray.point, {.t_max = kInfinity<double>});
+    if (hit.outcome != Outcome::hit || !(hit.toi_lower > 0)) continue;
+    const detail::exact::SolidContact contact =
+        detail::exact::SolidRayBracket(ray.solid, ray.point).prove(hit.toi_lower);
+    if (!contact.proved) continue;
+    // Planes have normals without error.
+    const TrueDepths before = true_depths(ray, Ball(contact.toi.lower));
+    if (!before.inside[0].is_positive() &&
+        (before.size == 1 || (before.inside[1].is_positive() && before.inside[2].is_positive()))) {
+      const BallVec truth = true_normal(ray, contact.toi.lower), off = BallVec(contact.normal) - truth;
+      normals.add(1, max(abs(off.x), max(abs(off.y), abs(off.z))) * two_to(49), [&] {
+        std::ostringstream out;
+        out << std::hexfloat << "  shape " << ray.solid.shape.index() << " lower " << contact.toi.lower
+            << "\n";
+        return out.str();
+      });
+    }
+  }
+  normals.finish(1000);
 }
 
 }  // namespace

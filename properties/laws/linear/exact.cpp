@@ -53,7 +53,18 @@ std::string line_fault(const Case& seen, const Answer& line, bool in_float) {
   return {};
 }
 
-// overlap, swept overlap and line agree with the cast. `cast` has been judged.
+std::string distance_fault(const Case& seen, const Answer& answer, bool in_float) {
+  if (answer.outcome != Outcome::miss && answer.outcome != Outcome::initially_overlapping)
+    return "the distance has no verdict";
+  if (!is_exactly_decided(seen)) return {};
+  const oracle::Enclosure distance = oracle::LinearTruth(seen).distance();
+  const bool is = answer.separation &&
+                  answer.separation->lower == detail::outward_down(distance.low, in_float) &&
+                  answer.separation->upper == detail::outward_up(distance.high, in_float);
+  return is ? "" : fmt::format("the distance is not [{}, {}]", decimal(distance.low), decimal(distance.high));
+}
+
+// overlap, distance, swept overlap and line agree with the cast. `cast` has been judged.
 std::string query_fault(const Case& seen, const Method& method, const Answer& cast, bool ask_oracle) {
   const auto ask = [&](Query query) {
     Case question = seen;
@@ -62,13 +73,15 @@ std::string query_fault(const Case& seen, const Method& method, const Answer& ca
     return exact_query(query, method.scalar)->answer(question);
   };
   const bool contact = cast.outcome != Outcome::miss;
-  const Answer swept = ask(Query::swept_overlap), overlap = ask(Query::overlap), line = ask(Query::line);
+  const Answer swept = ask(Query::swept_overlap), overlap = ask(Query::overlap), line = ask(Query::line),
+               distance = ask(Query::distance);
   if (swept.outcome != (contact ? Outcome::hit : Outcome::miss)) return "the swept overlap is not the cast's";
   const bool starts = cast.outcome == Outcome::initially_overlapping;
   // An overlap knows no target distance.
   if (seen.target_distance == 0 &&
       overlap.outcome != (starts ? Outcome::initially_overlapping : Outcome::miss))
     return "the overlap is not the cast's";
+  if (distance.outcome != overlap.outcome) return "the distance is not the overlap's";
   if (line.outcome != Outcome::hit && line.outcome != Outcome::miss) return "the line has no verdict";
   if (contact && line.outcome != Outcome::hit) return "the line misses what the cast meets";
   const bool moves = seen.a.displacement != seen.b.displacement;
@@ -82,7 +95,10 @@ std::string query_fault(const Case& seen, const Method& method, const Answer& ca
     if (starts && !(in.lower <= 0 && out.upper >= 0)) return "the line is not met at the start";
     if (!contact && in.upper <= seen.t_max && out.lower >= 0) return "the cast misses what the line meets";
   }
-  return ask_oracle ? line_fault(seen, line, method.scalar == "float") : "";
+  if (!ask_oracle) return "";
+  const bool in_float = method.scalar == "float";
+  const std::string fault = distance_fault(seen, distance, in_float);
+  return fault.empty() ? line_fault(seen, line, in_float) : fault;
 }
 
 LawResult exact_equals_oracle(const Case& problem, const Method& method) {
@@ -144,8 +160,8 @@ std::vector<Law> linear_exact_laws() {
        "bit.",
        Needs::proof, &exact_equals_oracle},
       {"exact_queries_agree",
-       "Tier exact: overlap, swept overlap and line say what the cast and the exact oracle say, to the last "
-       "bit.",
+       "Tier exact: overlap, distance, swept overlap and line say what the cast and the exact oracle say, to "
+       "the last bit.",
        Needs::proof, &exact_queries_agree},
   };
 }

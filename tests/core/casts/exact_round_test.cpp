@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <graze/cast.hpp>
+#include <graze/distance.hpp>
 #include <graze/line.hpp>
 #include <graze/overlap.hpp>
 #include <graze/swept_overlap.hpp>
@@ -125,6 +126,14 @@ std::string query_fault(const Question<S>& q, const RoundTruth& truth) {
   const RoundTruth at_start(q.a, q.b, S(0));
   if ((overlap_exact(q.a, q.b).outcome == Outcome::initially_overlapping) != at_start.starts_in_contact())
     return "the overlap";
+  const auto is_within = [&](S distance) { return RoundTruth(q.a, q.b, distance).starts_in_contact(); };
+  const DistanceResult<S> apart = distance_exact(q.a, q.b);
+  if (at_start.starts_in_contact() ? apart.lower != 0 || apart.upper != 0
+                                   : !is_within(apart.upper) || is_within(next_down(apart.upper)) ||
+                                         (apart.lower < apart.upper && is_within(apart.lower)))
+    return "the distance";
+  if (apart.lower != apart.upper && apart.lower != next_down(apart.upper))
+    return "the bracket of the distance";
   SweptOverlapOptions<S> path;
   path.t_max = q.t_max;
   path.target_distance = q.target;
@@ -430,6 +439,49 @@ TEST(ExactRounds, AGrazeAtTheDoubleThatTheSearchBeginsAtIsThatDouble) {
   ASSERT_EQ(result.outcome, Outcome::hit);
   EXPECT_EQ(result.toi_lower, 3);
   EXPECT_EQ(result.toi_upper, 3);
+}
+
+// Between two doubles the ball passes over an edge, and then touches the face. The way between them dwarfs its radius.
+TEST(ExactRounds, TheNormalIsThatOfTheFeatureAtContact) {
+  const Body<double> box{.shape = Box<double>{{1, 1, 1}}, .position = {-1, 0, -1}};
+  const Body<double> ball{
+      .shape = Sphere<double>{1e-25}, .position = {next_down(16.0), 0, 16}, .displacement = {-13, 0, -13}};
+  const CastResult<double> r = cast(box, ball, {.tier = Tier::exact, .t_max = 2});
+  ASSERT_EQ(r.outcome, Outcome::hit);
+  // 16/13 is 9/13 of the way from a double to the next, and the edge is passed at 1/13 of it.
+  EXPECT_EQ(r.toi_upper, next_up(r.toi_lower));
+  EXPECT_GT(std::fma(-13, r.toi_lower, ball.position[0]), 0);
+  EXPECT_NEAR((r.normal - Vec3<double>(0, 0, 1)).norm(), 0, 1e-15);
+}
+
+TEST(ExactDistance, OfKnownBodies) {
+  const Body<double> box{.shape = Box<double>{{1, 1, 1}}};
+  Body<double> ball{.shape = Sphere<double>{2}, .position = {4, 5, 1}};
+  const DistanceResult<double> three = distance_exact(box, ball);
+  EXPECT_EQ(three.lower, 3);
+  EXPECT_EQ(three.upper, 3);
+  EXPECT_NEAR((three.normal - Vec3<double>(0.6, 0.8, 0)).norm(), 0, 1e-15);
+  EXPECT_EQ(three.point_a, Vec3<double>(1, 1, 1));
+  EXPECT_NEAR((three.point_b - Vec3<double>(2.8, 3.4, 1)).norm(), 0, 1e-15);
+  // One unit in the last place of the radius from touching, and touching.
+  ball.shape = Sphere<double>{next_down(5.0)};
+  EXPECT_EQ(distance_exact(box, ball).lower, 5 - next_down(5.0));
+  EXPECT_EQ(distance_exact(box, ball).upper, 5 - next_down(5.0));
+  ball.shape = Sphere<double>{5};
+  EXPECT_EQ(distance_exact(box, ball).upper, 0);
+  // The target distance of a cast at which it starts in contact.
+  const Body<double> turned{
+      .shape = Capsule<double>{0.1, 0.7}, .position = {3, 2, 1}, .orientation = {3, 1, 2, 1}};
+  const DistanceResult<double> gap = distance_exact(box, turned);
+  EXPECT_EQ(gap.upper, next_up(gap.lower));
+  const auto starts = [&](double target) {
+    return cast(box, turned, {.tier = Tier::exact, .target_distance = target}).outcome ==
+           Outcome::initially_overlapping;
+  };
+  EXPECT_TRUE(starts(gap.upper));
+  EXPECT_FALSE(starts(gap.lower));
+  const Body<double> cone{.shape = Cone<double>{1, 1}, .position = {5, 0, 0}};
+  EXPECT_EQ(distance_exact(box, cone).invalid, Invalid::not_exact);
 }
 
 }  // namespace

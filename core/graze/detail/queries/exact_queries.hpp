@@ -1,5 +1,7 @@
-// The other questions of tier exact: overlap at t = 0, overlap on the path, the signed answer. Touching
+// The other questions of tier exact: overlap and distance at t = 0, overlap on the path, the signed answer. Touching
 // counts.
+//
+// The distance |w| - R is compared with a double x by the sign of w.w - (R + x)^2, which is rational.
 //
 // Supports the shapes of casts/exact_cast.hpp. Other shapes are invalid_input with not_exact. Normals are within 2 u
 // per component of one that separates, or supports C where the line enters and leaves.
@@ -10,6 +12,7 @@
 #include <graze/detail/numeric/rounding.hpp>
 #include <graze/detail/search/exact/exact_answer.hpp>
 #include <graze/detail/shapes/validation.hpp>
+#include <graze/distance.hpp>
 #include <graze/line.hpp>
 #include <graze/overlap.hpp>
 #include <graze/swept_overlap.hpp>
@@ -134,6 +137,34 @@ OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b) {
                                                  answer.passage == detail::exact::Passage::ahead);
   }
   return detail::exact::finished(cast.scene(), out);
+}
+
+template <Scalar S>
+DistanceResult<S> distance_exact(const Body<S>& a, const Body<S>& b, const DistanceOptions<S>& options) {
+  DistanceResult<S> out;
+  CastOptions<S> checked;
+  checked.tolerance = options.tolerance;
+  checked.max_iterations = options.max_iterations;
+  out.invalid = validate(a, b, checked);
+  if (detail::refused(out, a, b, checked) || detail::exact::refused(out, a, b)) return out;
+  detail::exact::RoundSearch<S> search(a, b, 0);
+  detail::exact::begin_at_start(a, b, S(0), search, out.counters);
+  if (search.start() <= 0 || !search.valid()) {
+    out.upper = 0;
+    return detail::exact::finished(search, out);
+  }
+  const detail::exact::TimeBracket ends =
+      detail::exact::bracket_by(search.gap(), [&](double x) { return search.sign_of_gap_minus(x); });
+  out.lower = detail::round_down<S>(ends.lower);
+  out.upper = detail::round_up<S>(ends.upper);
+  const detail::exact::RoundContact nearest = search.nearest_point();
+  const Vec3<double> n = detail::exact::unit_of(nearest.normal);
+  if (asks_for(options.request, Request::normal)) out.normal = n.template cast<S>();
+  if (asks_for(options.request, Request::witnesses)) {
+    out.point_a = detail::exact::round_witness(a, nearest, true, 0, n).template cast<S>();
+    out.point_b = detail::exact::round_witness(b, nearest, false, 0, n).template cast<S>();
+  }
+  return detail::exact::finished(search, out);
 }
 
 template <Scalar S>

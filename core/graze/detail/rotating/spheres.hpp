@@ -58,7 +58,7 @@ inline SphereCast cast_spheres(const MovingPair& pair, double t_end, double more
 struct OuterSphere {
   Vec3<double> pivot = Vec3<double>::Zero();  // world
   double reach = 0;                           // about it, the ball included
-  double lengths = 0;                         // of the pivot's summands
+  double lengths = 0;                         // of the pivot's summands, at least
 
   // Error bound of the distance of the body's points from the pivot above, including the rounding of both.
   [[nodiscard]] double bound() const {
@@ -76,7 +76,7 @@ OuterSphere outer_sphere(const RotatingBody<S>& moving) {
   out.pivot = position;
   if (pivot != Vec3<double>::Zero()) out.pivot += rotation_matrix(as_double(moving.body.orientation)) * pivot;
   out.reach = norm(middle - pivot) + norm(bounds.half) + bounds.radius;
-  out.lengths = norm(position) + norm(pivot) + norm(middle);
+  out.lengths = norm_1(position) + norm_1(pivot) + norm_1(middle);
   return out;
 }
 template <Scalar S>

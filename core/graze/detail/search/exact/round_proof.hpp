@@ -19,6 +19,7 @@
 #pragma once
 
 #include <graze/detail/search/exact/beyond.hpp>
+#include <graze/detail/search/exact/exact_answer.hpp>
 #include <graze/detail/search/exact/passage.hpp>
 #include <graze/detail/search/fast/round_walk.hpp>
 
@@ -86,15 +87,99 @@ class RoundProver {
     radius_ = B::normal({all.hi, all.lo + balls.lo});
   }
 
-  [[nodiscard]] RoundProof prove(const RoundWalk<S>& walk, const RoundSweep& found) {
-    RoundProof out;
+  struct Value {
+    double value = 0, error = 0;  // q(s)
+    double slope = 0, slope_error = 0, rise = 0;
+    bool inside = true;                          // is the foot inside, beyond predicate_error
+    Vec3<double> w = Vec3<double>::Zero();       // a positive multiple of s v minus the foot
+    double size = 0, w_error = 0;                // of w's components. The error holds for all s + d
+    Vec3<double> across = Vec3<double>::Zero();  // dw / ds
+    std::array<double, 2> share{};
+
+    // q(s + d), d exact. rise is rounded by 2^-48, and so are products and sums.
+    [[nodiscard]] double after(double d, double& predicate_error) const {
+      predicate_error = error + fl(std::abs(d) * slope_error) +
+                        0x1p-48 * (std::abs(d * slope) + fl(rise * d * d)) + 0x1p-51 * std::abs(value);
+      return value + fl(d * (slope + fl(rise * d)));
+    }
+    // The sign of q after d. It is 0 if |q| is within predicate_error.
+    [[nodiscard]] int sign_after(double d) const {
+      double predicate_error = 0;
+      const double rest = after(d, predicate_error);
+      return rest > predicate_error ? 1 : rest < -predicate_error ? -1 : 0;
+    }
+  };
+
+  // The corners of F. False: a number is out of range.
+  [[nodiscard]] bool take(const RoundWalk<S>& walk, const RoundSweep& found) {
     for (std::size_t i = 0; i < std::size_t(found.size); ++i) {
       if (!(found.lambda[i] > 0)) continue;
       const PairVertex& c = walk.corner(i);
       at_[size_] = i;
       name_[size_++] = {c.vertex_a, c.vertex_b};
     }
-    if (size_ == 0 || !take_corners()) return out;
+    return size_ > 0 && take_corners();
+  }
+  [[nodiscard]] std::span<const Vertex> corners() const { return {name_.data(), size_}; }
+  [[nodiscard, gnu::flatten]] Value at(double s) const {
+    Value out;
+    Pair3Of<kFused> x;
+    for (std::size_t i = 0; i < 3; ++i) x[i] = v_.x[i] * P{s, 0} - c_[0].x[i];
+    const Vector z = B::vector(x, fl(s * v_.error) + c_[0].error + 0x1p-96 * (fl(s * v_.size) + c_[0].size));
+    const Vec3<double> v = v_.value();
+    const double far = kFar * s * v_.size;  // how far z moves
+    double error = 0, scale_error = 0;
+    if (size_ == 1) {
+      const P square = B::dot_of(z, z, error);
+      set_value(square, error, P{1, 0}, 0, out);
+      set_w(z.value(), z.size, z.error, far, out);
+      out.across = v;
+      out.slope = 2 * dot(out.w, v);
+      out.slope_error = 8 * v_.size * (z.error + 0x1p-50 * z.size);
+      out.rise = dot(v, v);
+    } else if (size_ == 2) {
+      const Vector m = B::cross_of(z, e_);
+      const P square = B::dot_of(m, m, error), length = B::dot_of(e_, e_, scale_error);
+      set_value(square, error, length, scale_error, out);
+      // w e.e = e x (z x e)
+      const Vector w = B::cross_of(e_, m);
+      set_w(w.value(), w.size, w.error, 6 * e_.size * e_.size * far, out);
+      const Vec3<double> e = e_.value(), turned = cross(v, e);
+      out.across = dot(e, e) * v - dot(e, v) * e;
+      out.slope = 2 * dot(m.value(), turned);
+      out.slope_error = 16 * v_.size * e_.size * (m.error + 0x1p-50 * m.size);
+      out.rise = dot(turned, turned);
+      double along_error = 0;
+      const P along = B::dot_of(z, e_, along_error);
+      const double a = rounded(along), l = rounded(length),
+                   predicate_error = along_error + scale_error + 0x1p-50 * l + fl(4 * far * e_.size);
+      out.inside = a > predicate_error && a < l - predicate_error;
+      out.share = {a / l, 0};
+    } else {
+      double height_error = 0, to_e_error = 0, to_g_error = 0;
+      // Most of it may cancel, and a product leaves out the square of the low part.
+      const P height = B::normal(B::dot_of(z, n_, height_error)), area = B::dot_of(n_, n_, scale_error);
+      const double h = std::abs(rounded(height)), side = rounded(height) < 0 ? -1 : 1,
+                   rate = side * dot(n_.value(), v), most = 3 * n_.size * v_.size;
+      set_value(height * height, fl((2 * h + height_error) * height_error) + fl(0x1p-92 * h * h), area,
+                scale_error, out);
+      set_w(side * n_.value(), n_.size, n_.error, 0, out);
+      out.slope = 2 * h * rate;
+      out.slope_error = 2 * (fl(height_error * most) + fl(h * 3 * v_.size * (n_.error + 0x1p-50 * n_.size)));
+      out.rise = rate * rate;
+      const double to_e = rounded(B::dot_of(B::cross_of(z, g_), n_, to_e_error)),
+                   to_g = rounded(B::dot_of(B::cross_of(e_, z), n_, to_g_error)), all = rounded(area);
+      const double predicate_error =
+          to_e_error + to_g_error + scale_error + 0x1p-50 * all + fl(6 * far * n_.size * (e_.size + g_.size));
+      out.inside = h > height_error + fl(kFar * s * most) && to_e > predicate_error &&
+                   to_g > predicate_error && to_e + to_g < all - predicate_error;
+      out.share = {to_e / all, to_g / all};
+    }
+    return out;
+  }
+  [[nodiscard]] RoundProof prove(const RoundWalk<S>& walk, const RoundSweep& found) {
+    RoundProof out;
+    if (!take(walk, found)) return out;
     // The root of q(s + d) = q + slope d + rise d^2, d being a few units in the last place of s.
     const double s = found.upper;
     const Value q = at(s);
@@ -122,29 +207,6 @@ class RoundProver {
  private:
   // The foot and w are needed at s + d, |d| < kFar s.
   static constexpr double kFar = 0x1p-40;
-  struct Value {
-    double value = 0, error = 0;  // q(s)
-    double slope = 0, slope_error = 0, rise = 0;
-    bool inside = true;                          // is the foot inside, beyond predicate_error
-    Vec3<double> w = Vec3<double>::Zero();       // a positive multiple of s v minus the foot
-    double size = 0, w_error = 0;                // of w's components. The error holds for all s + d
-    Vec3<double> across = Vec3<double>::Zero();  // dw / ds
-    std::array<double, 2> share{};
-
-    // q(s + d), d exact. rise is rounded by 2^-48, and so are products and sums.
-    [[nodiscard]] double after(double d, double& predicate_error) const {
-      predicate_error = error + fl(std::abs(d) * slope_error) +
-                        0x1p-48 * (std::abs(d * slope) + fl(rise * d * d)) + 0x1p-51 * std::abs(value);
-      return value + fl(d * (slope + fl(rise * d)));
-    }
-    // The sign of q after d. It is 0 if |q| is within predicate_error.
-    [[nodiscard]] int sign_after(double d) const {
-      double predicate_error = 0;
-      const double rest = after(d, predicate_error);
-      return rest > predicate_error ? 1 : rest < -predicate_error ? -1 : 0;
-    }
-  };
-
   // Without a rotation z is a multiple of 2^g, and e and g of 2^h: q is one of 2^(2 (g + (corners - 1) h)).
   [[nodiscard]] int grid_at(double s) const {
     int corner = 0;
@@ -193,61 +255,6 @@ class RoundProver {
     out.w_error = error + 0x1p-51 * size + moved;
   }
 
-  [[nodiscard, gnu::flatten]] Value at(double s) const {
-    Value out;
-    Pair3Of<kFused> x;
-    for (std::size_t i = 0; i < 3; ++i) x[i] = v_.x[i] * P{s, 0} - c_[0].x[i];
-    const Vector z = B::vector(x, fl(s * v_.error) + c_[0].error + 0x1p-96 * (fl(s * v_.size) + c_[0].size));
-    const Vec3<double> v = v_.value();
-    const double far = kFar * s * v_.size;  // how far z moves
-    double error = 0, scale_error = 0;
-    if (size_ == 1) {
-      const P square = B::dot_of(z, z, error);
-      set_value(square, error, P{1, 0}, 0, out);
-      set_w(z.value(), z.size, z.error, far, out);
-      out.across = v;
-      out.slope = 2 * dot(out.w, v);
-      out.slope_error = 8 * v_.size * (z.error + 0x1p-50 * z.size);
-      out.rise = dot(v, v);
-    } else if (size_ == 2) {
-      const Vector m = B::cross_of(z, e_);
-      const P square = B::dot_of(m, m, error), length = B::dot_of(e_, e_, scale_error);
-      set_value(square, error, length, scale_error, out);
-      // w e.e = e x (z x e)
-      const Vector w = B::cross_of(e_, m);
-      set_w(w.value(), w.size, w.error, 6 * e_.size * e_.size * far, out);
-      const Vec3<double> e = e_.value(), turned = cross(v, e);
-      out.across = dot(e, e) * v - dot(e, v) * e;
-      out.slope = 2 * dot(m.value(), turned);
-      out.slope_error = 16 * v_.size * e_.size * (m.error + 0x1p-50 * m.size);
-      out.rise = dot(turned, turned);
-      double along_error = 0;
-      const P along = B::dot_of(z, e_, along_error);
-      const double a = rounded(along), l = rounded(length),
-                   predicate_error = along_error + scale_error + 0x1p-50 * l + fl(4 * far * e_.size);
-      out.inside = a > predicate_error && a < l - predicate_error;
-      out.share = {a / l, 0};
-    } else {
-      double height_error = 0, to_e_error = 0, to_g_error = 0;
-      const P height = B::dot_of(z, n_, height_error), area = B::dot_of(n_, n_, scale_error);
-      const double h = std::abs(rounded(height)), side = rounded(height) < 0 ? -1 : 1,
-                   rate = side * dot(n_.value(), v), most = 3 * n_.size * v_.size;
-      set_value(height * height, fl((2 * h + height_error) * height_error) + fl(0x1p-92 * h * h), area,
-                scale_error, out);
-      set_w(side * n_.value(), n_.size, n_.error, 0, out);
-      out.slope = 2 * h * rate;
-      out.slope_error = 2 * (fl(height_error * most) + fl(h * 3 * v_.size * (n_.error + 0x1p-50 * n_.size)));
-      out.rise = rate * rate;
-      const double to_e = rounded(B::dot_of(B::cross_of(z, g_), n_, to_e_error)),
-                   to_g = rounded(B::dot_of(B::cross_of(e_, z), n_, to_g_error)), all = rounded(area);
-      const double predicate_error =
-          to_e_error + to_g_error + scale_error + 0x1p-50 * all + fl(6 * far * n_.size * (e_.size + g_.size));
-      out.inside = h > height_error + fl(kFar * s * most) && to_e > predicate_error &&
-                   to_g > predicate_error && to_e + to_g < all - predicate_error;
-      out.share = {to_e / all, to_g / all};
-    }
-    return out;
-  }
   // Checks that no vertex is beyond and that the path approaches. Then sets normal and weights.
   [[nodiscard]] bool finish(const Value& q, double d, RoundProof& out) const {
     if (!(q.w_error < 0x1p-30 * q.size) || !(dot(q.w, v_.value()) < -0x1p-20 * q.size * v_.size))

@@ -70,6 +70,24 @@ class RoundSearch {
   }
   // The vector from A to B, of any length, of the last query. Zero if the cores overlap.
   [[nodiscard]] Dyadic3 separating() const { return minus(near_->p()); }
+  // After it, for cores that are apart: |w| - R within 2^-48 of itself, and the sign of |w| - R - x for x >= 0.
+  [[nodiscard]] double gap() const {
+    const Dyadic reach = radius_ * near_->weight(),
+                 below = near_->below() * near_->weight() * near_->weight();
+    const double excess = ratio(near_->above() - reach * reach * near_->below(), below);
+    return excess / (square_root(ratio(near_->above(), below)) + ratio(radius_, Dyadic(1)));
+  }
+  [[nodiscard]] int sign_of_gap_minus(double x) {
+    const Dyadic reach = (radius_ + Dyadic(x)) * near_->weight();
+    return check(near_->above() - reach * reach * near_->below());
+  }
+  // The point of K that was found.
+  [[nodiscard]] RoundContact nearest_point() const {
+    RoundContact out;
+    out.normal = separating();
+    take_corners(out);
+    return out;
+  }
 
   // No f falls beyond it: the earlier of it and t_max is a path's end.
   [[nodiscard]] Dyadic end(double t_max) {
@@ -215,13 +233,8 @@ class RoundSearch {
   [[nodiscard]] bool is_before(double t) { return is_falling_at(t) && near_->sign_of_f() >= 0; }
   // After is_falling_at(t): Newton's step from there, as rounded.
   [[nodiscard]] double newton() const {
-    const Dyadic reach = radius_ * near_->weight(),
-                 below = near_->below() * near_->weight() * near_->weight();
     const Dyadic along = dot(near_->p(), v_);
-    const double excess = ratio(near_->above() - reach * reach * near_->below(), below);
-    const double length = square_root(ratio(near_->above(), below)) + ratio(radius_, Dyadic(1));
-    const double rate = square_root(ratio(along * along, dot(near_->p(), near_->p())));
-    return excess / length / rate;
+    return gap() / square_root(ratio(along * along, dot(near_->p(), near_->p())));
   }
 
   // Doubles in their order, and back.

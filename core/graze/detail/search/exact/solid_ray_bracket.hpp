@@ -2,7 +2,7 @@
 // pairs of doubles. solid_ray.hpp, which has the notation, decides the cases that it leaves open.
 //
 // The solid is convex. So if the point is outside of it at one double and inside at the next, TOI is between them. From
-// the clip's time, Newton's method on the bound that is met last leads to these two.
+// the clip's time, the root of the bound that is met last leads to these two.
 //
 // x is within e = 2^-91 (|o| + t |w|), as o and w are within 2^-92 of their sizes (vectors.hpp), an apex included. It is
 // then normalised. k_i and L W are products of at most six factors, within 2^-94 of themselves, and so g is within
@@ -115,24 +115,32 @@ class SolidRayBracket {
 
   template <bool kFused>
   void find(double near, SolidContact& out) const {
+    constexpr double u = kUnitRoundoff<double>;
     const Depths at = depths_at<kFused>(near);
-    // Of the quadric's depth: rate, and minus the second derivative over 2.
-    double rate = 0, bend = 0;
-    Vec3<double> w, gradient;
+    // The quadric's depth s later: inside + rate s - bend s^2.
+    double rate = 0, bend = 0, rate_error = 0, bend_error = 0;
+    Vec3<double> w, square;
     for (int i = 0; i < 3; ++i) {
       const std::size_t k = std::size_t(i);
       w[i] = w_.x[k].hi;
-      const double root = form_.root[k][0] * form_.root[k][1], square = form_.sign(k) * fl(root * root);
-      gradient[i] = square * at.x[i];
-      rate -= 2 * fl(gradient[i] * w[i]);
-      bend += fl(square * fl(w[i] * w[i]));
+      const double root = form_.root[k][0] * form_.root[k][1], along = fl(root * root) * std::abs(w[i]);
+      square[i] = form_.sign(k) * fl(root * root);
+      rate -= 2 * fl(fl(square[i] * at.x[i]) * w[i]);
+      bend += fl(square[i] * fl(w[i] * w[i]));
+      rate_error += fl(2 * along * (fl(8 * u * std::abs(at.x[i])) + at.x_error));
+      bend_error += fl(8 * u * along * std::abs(w[i]));
     }
-    double step = -kInfinity<double>;
-    bool by_plane = false;
+    // To the root nearest to 0, where the depth changes by at least 0.7 rate.
+    double step = -kInfinity<double>, step_error = 0, part = 1;
     if (rate > 0) {
       const double first = -at.inside[0] / rate;
-      step = (fl(bend * fl(first * first)) - at.inside[0]) / rate;
+      part = 1 - 4 * fl(bend * first) / rate;
+      step = part > 0.5 ? 2 * first / (1 + square_root(part)) : first;
+      const double size = std::abs(step);
+      step_error =
+          2 * (at.error[0] + fl(size * (rate_error + fl(size * bend_error)))) / rate + fl(8 * u * size);
     }
+    bool by_plane = false;
     if (form_.axis >= 0 && w[form_.axis] != 0) {
       const double along = w[form_.axis], to_plane = -at.inside[along > 0 ? 1 : 2] / std::abs(along);
       by_plane = to_plane > step;
@@ -146,15 +154,18 @@ class SolidRayBracket {
         !depths_at<kFused>(out.toi.upper).is_in())
       return;
     Fine n;
+    double largest = 0, error = 0;
     for (int i = 0; i < 3; ++i) {
-      const std::size_t k = std::size_t(i);
-      out.point[i] = at.x[i] + fl(step * w[i]);
-      const double root = form_.root[k][0] * form_.root[k][1];
-      gradient[i] = form_.sign(k) * fl(root * root) * out.point[i];
-      n.x[k].hi = by_plane ? (i != form_.axis ? 0.0 : w[i] > 0 ? -1.0 : 1.0) : gradient[i];
+      const double moved = fl(step * w[i]);
+      out.point[i] = at.x[i] + moved;
+      const double gradient = square[i] * out.point[i];
+      largest = std::max(largest, std::abs(gradient));
+      error += fl(std::abs(square[i]) * (fl(2 * u * (std::abs(at.x[i]) + std::abs(moved))) + at.x_error +
+                                         fl(std::abs(w[i]) * step_error)));
+      n.x[std::size_t(i)].hi = by_plane ? (i != form_.axis ? 0.0 : w[i] > 0 ? -1.0 : 1.0) : gradient;
     }
-    // Is the gradient that of the contact, and not of rounding?
-    if (!by_plane && !(out.point.cwiseAbs().maxCoeff() > 0x1p30 * at.x_error)) return;
+    // The gradient is that of the contact within 8 u, near an apex too.
+    if (!by_plane && !(part > 0.5 && error < 8 * u * largest)) return;
     if (!turn_.is_identity()) FineTurn{turn_}(n);
     out.normal = over_length_as<kFused>(Vec3<double>(rounded(n.x[0]), rounded(n.x[1]), rounded(n.x[2])));
     out.point[2] += fl(form_.apex * (o_.weighted ? o_.weight.hi : 1));
