@@ -72,19 +72,26 @@ RoundGuess guess_contact(const Body<S>& a, const Body<S>& b, const CastOptions<S
   return nearest_corners(a, b, options.target_distance, double(found.toi_lower), counters);
 }
 
-// One body at time t: the contact's point of its core, and its ball.
+// One body at time t: the contact's point of its core, and its ball. The corners' differences are exact, so a body far from
+// the origin rounds its point once.
 template <Scalar S>
 Vec3<double> round_witness(const Body<S>& body, const RoundContact& contact, bool of_a, double t,
                            const Vec3<double>& n) {
   bool valid = true;
   const double radius = ratio(exact_ball<S>(body.shape, valid), Dyadic(1));
-  Vec3<double> out = t * wide(body.displacement) + (of_a ? radius : -radius) * n;
-  for (std::size_t i = 0; i < std::size_t(contact.size); ++i) {
+  const auto corner = [&](std::size_t i) {
     Feature feature;
     feature.vertex = of_a ? contact.corner[i].a : contact.corner[i].b;
-    const Exact x = exact_point(body, feature);
-    for (int k = 0; k < 3; ++k) out[k] += fl(contact.share[i] * ratio(x.x[std::size_t(k)], x.weight));
+    return exact_point(body, feature);
+  };
+  const Exact first = corner(0);
+  Vec3<double> out = t * wide(body.displacement) + (of_a ? radius : -radius) * n;
+  for (std::size_t i = 1; i < std::size_t(contact.size); ++i) {
+    Exact step = corner(i);
+    step.add(first, true);
+    for (int k = 0; k < 3; ++k) out[k] += fl(contact.share[i] * ratio(step.x[std::size_t(k)], step.weight));
   }
+  for (int k = 0; k < 3; ++k) out[k] += near_ratio(first.x[std::size_t(k)], first.weight);
   return out;
 }
 

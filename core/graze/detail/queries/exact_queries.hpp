@@ -95,8 +95,8 @@ LineResult<S> round_line(const Body<S>& a, const Body<S>& b, const LineOptions<S
   out.counters.supports += back.supports();
   out.in_lower = round_down<S>(in->toi.lower);
   out.in_upper = round_up<S>(in->toi.upper);
-  out.out_lower = round_down<S>(-leave->toi.upper);
-  out.out_upper = round_up<S>(-leave->toi.lower);
+  out.out_lower = round_down<S>(0 - leave->toi.upper);
+  out.out_upper = round_up<S>(0 - leave->toi.lower);
   if (asks_for(options.request, Request::normal)) {
     out.normal_in = unit_of(in->normal).template cast<S>();
     out.normal_out = unit_of(leave->normal).template cast<S>();

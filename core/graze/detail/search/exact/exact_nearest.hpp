@@ -52,6 +52,12 @@ inline double ratio(const exact::Dyadic& x, const exact::Dyadic& y) {
   return std::ldexp(x.leading() / y.leading(), std::clamp(x.order() - y.order(), -1000, 1000));
 }
 
+// The same within u and a little.
+inline double near_ratio(const exact::Dyadic& x, const exact::Dyadic& y) {
+  const double q = ratio(x, y);
+  return q + ratio(x - exact::Dyadic(q) * y, y);
+}
+
 // The result for a start. `n` is a positive multiple of a normal from A to B, with h(n) over C and the balls:
 enum class StartKind : std::uint8_t {
   open,

@@ -237,13 +237,16 @@ class RoundSearch {
     return gap() / square_root(ratio(along * along, dot(near_->p(), near_->p())));
   }
 
-  // Doubles in their order, and back.
-  static std::int64_t key_of(double t) {
-    const auto bits = detail::bit_cast<std::int64_t>(t);
-    return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
+  // Doubles in their order, and back. There are up to 2^64 of them between two: more than a signed number holds.
+  static constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
+  static std::uint64_t key_of(double t) {
+    const auto bits = detail::bit_cast<std::uint64_t>(t);
+    return bits < kSign ? bits : kSign - bits;
   }
-  static double at_key(std::int64_t key) {
-    return detail::bit_cast<double>(key < 0 ? std::numeric_limits<std::int64_t>::min() - key : key);
+  static std::uint64_t steps_between(double lower, double upper) { return key_of(upper) - key_of(lower); }
+  static double after_steps(double t, std::uint64_t steps) {
+    const std::uint64_t key = key_of(t) + steps;
+    return detail::bit_cast<double>(key < kSign ? key : kSign - key);
   }
   // Exactly: the path's ends are doubles.
   static double as_double(const Dyadic& t) { return near_quotient(t, Dyadic(1)); }
@@ -263,16 +266,14 @@ class RoundSearch {
     }
     // Doubling steps away from the end nearest to the estimate. The other end is the path's.
     const bool up = lower > first;
-    for (std::int64_t step = 1; valid_ && key_of(upper) - key_of(lower) > 1; step *= 2) {
-      const std::int64_t low = key_of(lower), high = key_of(upper);
-      if (step >= high - low) break;
-      t = at_key(up ? low + step : high - step);
+    for (std::uint64_t step = 1; valid_ && step <= steps_between(lower, upper) / 2; step *= 2) {
+      t = up ? after_steps(lower, step) : after_steps(upper, 0 - step);
       const bool before = is_before(t);
       (before ? lower : upper) = t;
       if (before != up) break;
     }
-    while (valid_ && key_of(upper) - key_of(lower) > 1) {
-      t = at_key(key_of(lower) + (key_of(upper) - key_of(lower)) / 2);
+    while (valid_ && steps_between(lower, upper) > 1) {
+      t = after_steps(lower, steps_between(lower, upper) / 2);
       (is_before(t) ? lower : upper) = t;
     }
     return contact_in({lower, upper});
