@@ -23,6 +23,7 @@ using oracle::WorkingPrecision;
 
 constexpr long kExactBits = 40000;  // more than a Dyadic holds
 
+using test::exactly;
 Ball exactly(const Pair& x) { return Ball(x.hi) + Ball(x.lo); }
 std::string text(const Pair& x, const Pair& y) {
   std::ostringstream out;

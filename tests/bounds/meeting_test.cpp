@@ -25,6 +25,7 @@ using oracle::WorkingPrecision;
 
 constexpr long kExactBits = 16000;
 
+using test::exactly;
 BallVec exactly(const detail::exact::Exact& x) {
   const Ball weight = exactly(x.weight);
   return {exactly(x.x[0]) / weight, exactly(x.x[1]) / weight, exactly(x.x[2]) / weight};

@@ -114,7 +114,7 @@ TEST(Methods, ExactOnesRefuseWhatIsNotForTheirTier) {
   EXPECT_FALSE(asked(problem));
 }
 
-TEST(Queries, ExactOnesAnswerOverlapSweptOverlapAndLine) {
+TEST(Queries, ExactOnesAnswerOverlapDistanceSweptOverlapAndLine) {
   int exact = 0;
   for (const Method& method : methods(Kind::query)) {
     EXPECT_NE(find_guarantee(guarantees(), method), nullptr) << method.full_name();
@@ -123,12 +123,14 @@ TEST(Queries, ExactOnesAnswerOverlapSweptOverlapAndLine) {
     corpus::Case problem = falling_cube();
     problem.query = method.query;
     const Answer answer = method.answer(problem);
-    EXPECT_EQ(answer.outcome, method.query == corpus::Query::overlap ? Outcome::miss : Outcome::hit);
+    const bool at_rest = method.query == corpus::Query::overlap || method.query == corpus::Query::distance;
+    EXPECT_EQ(answer.outcome, at_rest ? Outcome::miss : Outcome::hit);
+    EXPECT_EQ(answer.separation.has_value(), method.query == corpus::Query::distance);
     EXPECT_EQ(answer.t_in.has_value(), method.query == corpus::Query::line);
     problem.b.shape = Cylinder<double>{0.3, 0.3};
     EXPECT_EQ(method.answer(problem).invalid, Invalid::not_exact);
   }
-  EXPECT_EQ(exact, 6);
+  EXPECT_EQ(exact, 8);
 }
 
 TEST(Guarantees, HaveARowForEveryMethod) {

@@ -186,7 +186,8 @@ LawResult points_are_of_the_bodies(const Case& problem, const Method& method) {
     for (const bool first : {true, false}) {
       const Body<double>& body = first ? question->seen.a : question->seen.b;
       const Vec3<double>& point = first ? answer.point_a : answer.point_b;
-      const std::string fault = outside(body, point, question->limit + 2 * question->u * point.norm());
+      const std::string fault =
+          outside(body, point, contact_limit_of(method, *question) + 2 * question->u * point.norm());
       if (!fault.empty())
         return broken(fmt::format("the point of {} is {} {}: {}", first ? 'A' : 'B', fault, told(ask),
                                   describe(answer)));

@@ -239,9 +239,14 @@ std::string inconsistent(const Question& question, const Method& method, const A
   }
   // A bracket that is not marked as wide is no wider than its guarantee.
   if (answer.stalled || method.query == Query::penetration_along) return "";
+  const auto is_wide = [&](const Interval& x) {
+    // Two numbers next to each other are as narrow as it gets.
+    const double next = method.in_float() ? std::nextafter(float(x.lower), kInfinity<float>)
+                                          : std::nextafter(x.lower, kInfinity<double>);
+    return !(x.upper <= next || x.upper - x.lower <= 2 * question.limit);
+  };
   for (const std::optional<Interval>* x : {&answer.separation, &answer.depth}) {
-    if (*x && !((*x)->upper - (*x)->lower <= 2 * question.limit))
-      return "a wide bracket that is not marked as not converged";
+    if (*x && is_wide(**x)) return "a wide bracket that is not marked as not converged";
   }
   return "";
 }

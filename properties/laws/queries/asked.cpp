@@ -61,6 +61,14 @@ double limit_of(const Method& method, const Case& seen) {
   return limits_of(method, seen, scale_of_question(method.query, seen.target_distance, scale_of(seen))).limit;
 }
 
+// The last summand: the laws evaluate h in doubles, which round at the size of far parts.
+double contact_limit_of(const Method& method, const Question& question) {
+  if (!method.is_exact()) return question.limit;
+  const Case& seen = question.seen;
+  const double scale = scale_of_question(method.query, seen.target_distance, scale_of(seen));
+  return limits_of(method, seen, scale).contact + unseen_of_trees(seen, scale);
+}
+
 std::optional<Question> requestioned(Case edited, const Method& method) {
   if (!in_domain(edited) || !same_input(seen_by(method, edited), edited)) return std::nullopt;
   if (method.is_exact() && !is_for_tier_exact(edited)) return std::nullopt;

@@ -29,6 +29,8 @@ struct Question {
 
 // The method's limit for a question in its scalar.
 [[nodiscard]] double limit_of(const engine::Method& method, const corpus::Case& seen);
+// By how much normals and witnesses may be off: tier exact has no limit, but rounds these.
+[[nodiscard]] double contact_limit_of(const engine::Method& method, const Question& question);
 
 // The result of a law that is called for a query that it does not cover.
 [[nodiscard]] LawResult other_query();

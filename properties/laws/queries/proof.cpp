@@ -71,16 +71,16 @@ LawResult distance_is_shown(const Case& problem, const Method& method) {
   if (answer.outcome != Outcome::miss || answer.stalled) return holds({label_of(answer.outcome)});
   if (!answer.has_normal() || !answer.has_points) return broken("no normal or points: " + describe(answer));
   const Reach h = reach(question->seen, answer.normal);
-  if (const double off = h.value + answer.separation->lower; !(off <= 2 * question->limit + h.error))
+  const double limit = contact_limit_of(method, *question);
+  if (const double off = h.value + answer.separation->lower; !(off <= 2 * limit + h.error))
     return broken(
         fmt::format("the normal separates by {} less than the distance: {}", off, describe(answer)));
   const double between = (answer.point_b - answer.point_a).norm(),
                rounded = rounding(answer.point_a, question->u) + rounding(answer.point_b, question->u);
-  if (const double off = between - answer.separation->upper;
-      !(std::abs(off) <= 4 * question->limit + rounded))
+  if (const double off = between - answer.separation->upper; !(std::abs(off) <= 4 * limit + rounded))
     return broken(
         fmt::format("the points are {} farther apart than the distance: {}", off, describe(answer)));
-  const Shown shown{question->seen, answer, question->limit, question->u};
+  const Shown shown{question->seen, answer, limit, question->u};
   if (const std::string fault = shown.ends(answer.normal, 6); !fault.empty())
     return broken(fault + ": " + describe(answer));
   return holds({label_of(answer.outcome)});

@@ -70,12 +70,13 @@ class RoundSearch {
   }
   // The vector from A to B, of any length, of the last query. Zero if the cores overlap.
   [[nodiscard]] Dyadic3 separating() const { return minus(near_->p()); }
-  // After it, for cores that are apart: |w| - R within 2^-48 of itself, and the sign of |w| - R - x for x >= 0.
-  [[nodiscard]] double gap() const {
+  // After it, for cores that are apart: |w| - R within 2^-48 of itself, times 2^k, and the sign of |w| - R - x for x >= 0.
+  [[nodiscard]] double gap(int k = 0) const {
     const Dyadic reach = radius_ * near_->weight(),
                  below = near_->below() * near_->weight() * near_->weight();
-    const double excess = ratio(near_->above() - reach * reach * near_->below(), below);
-    return excess / (square_root(ratio(near_->above(), below)) + ratio(radius_, Dyadic(1)));
+    const auto in_unit = [&](const Dyadic& square) { return ratio(square.times_power_of_two(2 * k), below); };
+    return in_unit(near_->above() - reach * reach * near_->below()) /
+           (square_root(in_unit(near_->above())) + ratio(radius_.times_power_of_two(k), Dyadic(1)));
   }
   [[nodiscard]] int sign_of_gap_minus(double x) {
     const Dyadic reach = (radius_ + Dyadic(x)) * near_->weight();
@@ -231,10 +232,11 @@ class RoundSearch {
     return dot(near_->p(), v_).sign() > 0;
   }
   [[nodiscard]] bool is_before(double t) { return is_falling_at(t) && near_->sign_of_f() >= 0; }
-  // After is_falling_at(t): Newton's step from there, as rounded.
+  // After is_falling_at(t): Newton's step from there, as rounded. Lengths in a unit of about |v|, so no scale counts.
   [[nodiscard]] double newton() const {
-    const Dyadic along = dot(near_->p(), v_);
-    return gap() / square_root(ratio(along * along, dot(near_->p(), near_->p())));
+    const int k = -(dot(v_, v_).order() >> 1);
+    const Dyadic along = dot(near_->p(), v_).times_power_of_two(k);
+    return gap(k) / square_root(ratio(along * along, dot(near_->p(), near_->p())));
   }
 
   // Doubles in their order, and back. There are up to 2^64 of them between two: more than a signed number holds.
