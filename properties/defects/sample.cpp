@@ -30,6 +30,9 @@ std::vector<Case> linear_cases(int count) {
   }
   for (int i = 0; i < count / 16; ++i) out.push_back(draw_near_ball(balls));
   for (int i = 0; i < count / 24; ++i) out.push_back(draw_large_hull(large));
+  // Of the families, too few cases are a point that meets a box or a triangle.
+  const Family& rays = *corpus::find_family("rays");
+  for (int i = 0; i < count / 16; ++i) out.push_back(rays.generate(0, static_cast<std::uint64_t>(i)));
   // A line through an apex. One in some hundreds of these has a portal whose corners can orbit.
   out.push_back(corpus::find_family("equal_distances")->generate(4, 3479603925236361016u));
   return out;

@@ -64,6 +64,19 @@ std::string distance_fault(const Case& seen, const Answer& answer, bool in_float
   return is ? "" : fmt::format("the distance is not [{}, {}]", decimal(distance.low), decimal(distance.high));
 }
 
+// The bodies start within a target distance if it is the distance's upper end, and not if it is a smaller lower end.
+std::string start_fault(Case seen, const Method& method, const engine::Interval& distance) {
+  for (const double target : {distance.upper, distance.lower}) {
+    seen.target_distance = target;
+    const Outcome outcome = method.ask(seen, {}).outcome;
+    const bool starts = outcome == Outcome::initially_overlapping;
+    if (outcome != Outcome::invalid_input && starts != (target == distance.upper))
+      return fmt::format("a cast at the target distance {} {} in contact", decimal(target),
+                         starts ? "starts" : "does not start");
+  }
+  return {};
+}
+
 // overlap, distance, swept overlap and line agree with the cast. `cast` has been judged.
 std::string query_fault(const Case& seen, const Method& method, const Answer& cast, bool ask_oracle) {
   const auto ask = [&](Query query) {
@@ -82,6 +95,9 @@ std::string query_fault(const Case& seen, const Method& method, const Answer& ca
       overlap.outcome != (starts ? Outcome::initially_overlapping : Outcome::miss))
     return "the overlap is not the cast's";
   if (distance.outcome != overlap.outcome) return "the distance is not the overlap's";
+  if (distance.outcome == Outcome::miss && distance.separation) {
+    if (std::string fault = start_fault(seen, method, *distance.separation); !fault.empty()) return fault;
+  }
   if (line.outcome != Outcome::hit && line.outcome != Outcome::miss) return "the line has no verdict";
   if (contact && line.outcome != Outcome::hit) return "the line misses what the cast meets";
   const bool moves = seen.a.displacement != seen.b.displacement;
