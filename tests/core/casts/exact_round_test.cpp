@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <graze/cast.hpp>
-#include <graze/detail/search/exact/round_search.hpp>
 #include <graze/distance.hpp>
 #include <graze/line.hpp>
 #include <graze/overlap.hpp>
@@ -453,21 +452,6 @@ TEST(ExactRounds, TheNormalIsThatOfTheFeatureAtContact) {
   EXPECT_EQ(r.toi_upper, next_up(r.toi_lower));
   EXPECT_GT(std::fma(-13, r.toi_lower, ball.position[0]), 0);
   EXPECT_NEAR((r.normal - Vec3<double>(0, 0, 1)).norm(), 0, 1e-15);
-}
-
-// More than 2^63 doubles lie between the ends of the path.
-TEST(ExactRounds, ThePathFromFarBeforeZeroToFarAfterIt) {
-  const Body<double> a{.shape = Sphere<double>{1}};
-  const Body<double> b{.shape = Sphere<double>{1}, .position = {71, 0, 0}, .displacement = {3, 0, 0}};
-  using Search = detail::exact::RoundSearch<double>;
-  for (const double guess : {-64.0, -24.0, 0.0, 3.0}) {
-    Search search(a, b, 0);
-    const auto path = search.path(detail::exact::Dyadic(-64.0), detail::exact::Dyadic(64.0));
-    ASSERT_EQ(path, Search::Path::enters);
-    const detail::exact::RoundContact contact = search.first_contact(path, guess);
-    EXPECT_EQ(next_up(contact.toi.lower), contact.toi.upper) << guess;
-    EXPECT_NEAR(contact.toi.lower, -73 / 3.0, 1e-14) << guess;
-  }
 }
 
 TEST(ExactDistance, OfKnownBodies) {
