@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "engines/method.hpp"
@@ -38,6 +39,12 @@ inline double outward_down(double x, bool in_float) {
   return static_cast<double>(near) > x ? std::nextafter(near, -kInfinity<float>) : near;
 }
 inline double outward_up(double x, bool in_float) { return -outward_down(-x, in_float); }
+// Is the bracket the exact value, rounded outward?
+inline bool is_outward(const std::optional<engine::Interval>& bracket, const oracle::Enclosure& exact,
+                       bool in_float) {
+  return bracket && bracket->lower == outward_down(exact.low, in_float) &&
+         bracket->upper == outward_up(exact.high, in_float);
+}
 
 inline bool same_bracket(const engine::Answer& answer, double lower, double upper, bool in_float) {
   return answer.toi_lower == outward_down(lower, in_float) && answer.toi_upper == outward_up(upper, in_float);

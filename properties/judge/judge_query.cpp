@@ -193,17 +193,15 @@ Judgement judge_exact_query(Truth& truth, const Method& method, const Answer& an
   }
   judgement.by_oracle = true;
   judgement.stalled = answer.outcome == Outcome::not_converged;
-  const auto is = [&](const std::optional<Interval>& bracket, const Enclosure& end) {
-    return bracket && bracket->lower == detail::outward_down(end.low, in_float) &&
-           bracket->upper == detail::outward_up(end.high, in_float);
-  };
   if (problem.query == Query::line) {
     const std::optional<oracle::ContactInterval> exact = truth.moving().contact_interval();
     if (answer.outcome != (exact ? Outcome::hit : Outcome::miss))
       judgement.wrong = "the verdict is not the oracle's";
     if (!exact || !judgement.wrong.empty()) return judgement;
-    if (!is(answer.t_in, exact->in)) judgement.off = "t_in is not the oracle's, rounded outward";
-    if (!is(answer.t_out, exact->out)) judgement.off = "t_out is not the oracle's, rounded outward";
+    if (!detail::is_outward(answer.t_in, exact->in, in_float))
+      judgement.off = "t_in is not the oracle's, rounded outward";
+    if (!detail::is_outward(answer.t_out, exact->out, in_float))
+      judgement.off = "t_out is not the oracle's, rounded outward";
     return judgement;
   }
   const bool swept = problem.query == Query::swept_overlap;
@@ -216,7 +214,8 @@ Judgement judge_exact_query(Truth& truth, const Method& method, const Answer& an
   Enclosure distance{0, 0};
   if (problem.query == Query::distance) {
     distance = truth.at_rest().distance();
-    if (!is(answer.separation, distance)) judgement.off = "the distance is not the oracle's, rounded outward";
+    if (!detail::is_outward(answer.separation, distance, in_float))
+      judgement.off = "the distance is not the oracle's, rounded outward";
     judge_closest_points(truth, method, answer, distance, limit, judgement);
   }
   if (answer.has_normal()) {

@@ -24,10 +24,7 @@ struct Passage {
 Passage draw_passage(HostileDraw& draw) {
   Passage out;
   const auto extent = [&] { return draw.chance(0.3) ? draw.power(-30, 0) : draw.plain().between(0.5, 2); };
-  const auto vector = [&](double length) {
-    return Vec3<double>(length * draw.plain().between(-1, 1), length * draw.plain().between(-1, 1),
-                        length * draw.plain().between(-1, 1));
-  };
+  const auto vector = [&](double length) { return draw.plain().vector<double>(length); };
   const auto orientation = [&] {
     if (draw.chance(0.3)) return Quaternion<double>{};
     if (draw.chance(0.6)) return draw.plain().turn<double>();

@@ -38,15 +38,11 @@ std::string line_fault(const Case& seen, const Answer& line, bool in_float) {
   if ((line.outcome == Outcome::hit) != interval.has_value()) return "the line's verdict is not the oracle's";
   if (!interval) return {};
   if (!line.t_in || !line.t_out) return "the line is met at no time";
-  const auto is = [&](const engine::Interval& bracket, const oracle::Enclosure& end) {
-    return bracket.lower == detail::outward_down(end.low, in_float) &&
-           bracket.upper == detail::outward_up(end.high, in_float);
-  };
-  if (!is(*line.t_in, interval->in)) {
+  if (!detail::is_outward(line.t_in, interval->in, in_float)) {
     return fmt::format("t_in is [{}, {}], not [{}, {}]", decimal(line.t_in->lower), decimal(line.t_in->upper),
                        decimal(interval->in.low), decimal(interval->in.high));
   }
-  if (!is(*line.t_out, interval->out)) {
+  if (!detail::is_outward(line.t_out, interval->out, in_float)) {
     return fmt::format("t_out is [{}, {}], not [{}, {}]", decimal(line.t_out->lower),
                        decimal(line.t_out->upper), decimal(interval->out.low), decimal(interval->out.high));
   }
@@ -58,10 +54,8 @@ std::string distance_fault(const Case& seen, const Answer& answer, bool in_float
     return "the distance has no verdict";
   if (!is_exactly_decided(seen)) return {};
   const oracle::Enclosure distance = oracle::LinearTruth(seen).distance();
-  const bool is = answer.separation &&
-                  answer.separation->lower == detail::outward_down(distance.low, in_float) &&
-                  answer.separation->upper == detail::outward_up(distance.high, in_float);
-  return is ? "" : fmt::format("the distance is not [{}, {}]", decimal(distance.low), decimal(distance.high));
+  if (detail::is_outward(answer.separation, distance, in_float)) return {};
+  return fmt::format("the distance is not [{}, {}]", decimal(distance.low), decimal(distance.high));
 }
 
 // The bodies start within a target distance if it is the distance's upper end, and not if it is a smaller lower end.

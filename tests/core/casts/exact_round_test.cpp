@@ -441,6 +441,10 @@ TEST(ExactRounds, AGrazeAtTheDoubleThatTheSearchBeginsAtIsThatDouble) {
   EXPECT_EQ(result.toi_upper, 3);
 }
 
+// Of a normal, each component is within 2 u, and of the expected one within u / 2: less than 4 u together. A witness 2 n away
+// is within 4 u, and its sum and the expected number round by 2 u each.
+constexpr double kNormal = 4 * kUnitRoundoff<double>, kWitness = 8 * kUnitRoundoff<double>;
+
 // Between two doubles the ball passes over an edge, and then touches the face. The way between them dwarfs its radius.
 TEST(ExactRounds, TheNormalIsThatOfTheFeatureAtContact) {
   const Body<double> box{.shape = Box<double>{{1, 1, 1}}, .position = {-1, 0, -1}};
@@ -451,7 +455,7 @@ TEST(ExactRounds, TheNormalIsThatOfTheFeatureAtContact) {
   // 16/13 is 9/13 of the way from a double to the next, and the edge is passed at 1/13 of it.
   EXPECT_EQ(r.toi_upper, next_up(r.toi_lower));
   EXPECT_GT(std::fma(-13, r.toi_lower, ball.position[0]), 0);
-  EXPECT_NEAR((r.normal - Vec3<double>(0, 0, 1)).norm(), 0, 1e-15);
+  EXPECT_NEAR((r.normal - Vec3<double>(0, 0, 1)).norm(), 0, kNormal);
 }
 
 TEST(ExactDistance, OfKnownBodies) {
@@ -460,9 +464,11 @@ TEST(ExactDistance, OfKnownBodies) {
   const DistanceResult<double> three = distance_exact(box, ball);
   EXPECT_EQ(three.lower, 3);
   EXPECT_EQ(three.upper, 3);
-  EXPECT_NEAR((three.normal - Vec3<double>(0.6, 0.8, 0)).norm(), 0, 1e-15);
+  EXPECT_NEAR((three.normal - Vec3<double>(0.6, 0.8, 0)).norm(), 0, kNormal);
   EXPECT_EQ(three.point_a, Vec3<double>(1, 1, 1));
-  EXPECT_NEAR((three.point_b - Vec3<double>(2.8, 3.4, 1)).norm(), 0, 1e-15);
+  EXPECT_NEAR(three.point_b[0], 2.8, kWitness);
+  EXPECT_NEAR(three.point_b[1], 3.4, kWitness);
+  EXPECT_EQ(three.point_b[2], 1);
   // One unit in the last place of the radius from touching, and touching.
   ball.shape = Sphere<double>{next_down(5.0)};
   EXPECT_EQ(distance_exact(box, ball).lower, 5 - next_down(5.0));

@@ -10,6 +10,7 @@
 #include <graze/detail/casts/exact_ends.hpp>
 #include <graze/detail/casts/exact_round_answer.hpp>
 #include <graze/detail/numeric/rounding.hpp>
+#include <graze/detail/queries/distance_query.hpp>
 #include <graze/detail/search/exact/exact_answer.hpp>
 #include <graze/detail/shapes/validation.hpp>
 #include <graze/distance.hpp>
@@ -142,9 +143,7 @@ OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b) {
 template <Scalar S>
 DistanceResult<S> distance_exact(const Body<S>& a, const Body<S>& b, const DistanceOptions<S>& options) {
   DistanceResult<S> out;
-  CastOptions<S> checked;
-  checked.tolerance = options.tolerance;
-  checked.max_iterations = options.max_iterations;
+  const CastOptions<S> checked = detail::checked(options);
   out.invalid = validate(a, b, checked);
   if (detail::refused(out, a, b, checked) || detail::exact::refused(out, a, b)) return out;
   detail::exact::RoundSearch<S> search(a, b, 0);

@@ -87,6 +87,7 @@ class RoundProver {
     radius_ = B::normal({all.hi, all.lo + balls.lo});
   }
 
+  // q at s, and what a small step from there needs.
   struct Value {
     double value = 0, error = 0;  // q(s)
     double slope = 0, slope_error = 0, rise = 0;
@@ -207,6 +208,7 @@ class RoundProver {
  private:
   // The foot and w are needed at s + d, |d| < kFar s.
   static constexpr double kFar = 0x1p-40;
+
   // Without a rotation z is a multiple of 2^g, and e and g of 2^h: q is one of 2^(2 (g + (corners - 1) h)).
   [[nodiscard]] int grid_at(double s) const {
     int corner = 0;
