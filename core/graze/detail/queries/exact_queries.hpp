@@ -20,6 +20,14 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
+namespace detail {
+
+// In distance_query.hpp, which may be what includes this file.
+template <Scalar S>
+CastOptions<S> checked(const DistanceOptions<S>& options);
+
+}  // namespace detail
+
 namespace detail { namespace exact {
 
 // A miss by the line: a unit vector that separates.
