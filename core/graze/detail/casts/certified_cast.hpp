@@ -27,8 +27,8 @@
 // polytopes if all other methods leave them open. casts/curved_bracket.hpp answers pairs with a cylinder, a cone or
 // an ellipsoid. In all other cases the two halves of the bracket are proved as follows.
 //   - Upper half: a portal of exactly named points (proving/certified_portal.hpp), with decisions beyond
-//   predicate_error. - Lower half: the axis of that portal, of MPR or of the GJK ray cast. These axes are too short
-//   when an edge lies
+//     predicate_error.
+//   - Lower half: the axis of that portal, of MPR or of the GJK ray cast. These axes are too short when an edge lies
 //     between a face that is nearly along the path and another face. Then the axis runs from C to a point of the path
 //     a little before contact. This point is farther from C than the rounding of h, so its axis is proved. It is also
 //     nearer than the width, which is enough.
