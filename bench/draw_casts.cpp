@@ -88,6 +88,16 @@ void fill_half(CastFamily& family, std::size_t cases, const CastOptions<double>&
   }
 }
 
+void fill_drawn(CastFamily& family, std::size_t cases, const CastOptions<double>& options,
+                const std::function<CastCase()>& draw) {
+  while (family.cases.size() < cases) {
+    CastCase c = draw();
+    const Outcome outcome = outcome_of(family, c, options);
+    c.contact = outcome == Outcome::hit;
+    if (c.contact || outcome == Outcome::miss) family.cases.push_back(c);
+  }
+}
+
 void fill_with(CastFamily& family, std::size_t cases, const CastOptions<double>& options, Outcome wanted,
                const std::function<CastCase()>& draw) {
   while (family.cases.size() < cases) {

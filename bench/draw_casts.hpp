@@ -40,6 +40,9 @@ void set_motion(Random& random, CastCase& c, const Vec3<double>& v);
 // Draws until half of the cases are hits and half misses. A start in contact counts as neither.
 void fill_half(CastFamily& family, std::size_t cases, const CastOptions<double>& options,
                const std::function<CastCase()>& draw);
+// As drawn, but for starts in contact.
+void fill_drawn(CastFamily& family, std::size_t cases, const CastOptions<double>& options,
+                const std::function<CastCase()>& draw);
 // Draws until all have the wanted outcome.
 void fill_with(CastFamily& family, std::size_t cases, const CastOptions<double>& options, Outcome wanted,
                const std::function<CastCase()>& draw);

@@ -1,8 +1,10 @@
 // The ten families that measure engines when callers request their full response: time, normal, contact.
 //
-// Hulls have 8 to 64 vertices, except boxes (8) and flats. In the turned set every body has an orientation of its own,
-// drawn at random. In `sliding` one orientation turns the whole scene, so that its faces stay parallel.
+// Hulls have 8 to 64 vertices, a quarter of them boxes. In the turned set every body has an orientation of its own,
+// drawn at random. Where bodies are placed face on face, or on an edge or a vertex, one orientation turns the whole
+// scene, so that they stay so.
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <graze/cast.hpp>
 #include <numbers>
@@ -12,34 +14,68 @@
 namespace graze::bench {
 namespace {
 
+using Points = std::vector<Vec3<double>>;
+
 CastOptions<double> judge() { return {.tier = Tier::exact}; }
+
+// Up to a power of ten: 10^-most to 10^-least.
+double small(Random& random, double least, double most) {
+  return std::pow(10.0, -random.uniform(least, most));
+}
+
+Eigen::Quaterniond rotation_of(const Quaternion<double>& q) {
+  return Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized();
+}
+
+Shape<double> hull_of(const Points& list) { return Hull<double>(std::span<const Vec3<double>>(list)); }
 
 int hull_size(Random& random) { return 8 << random.integer(0, 3); }
 
-// A box as a hull, with half extents of 1/8 to 1 in eighths.
-Shape<double> box_hull(Random& random) {
-  const double x = random.integer(1, 8) / 8.0, y = random.integer(1, 8) / 8.0, z = random.integer(1, 8) / 8.0;
-  std::vector<Vec3<double>> list;
-  for (const double i : {-x, x}) {
-    for (const double j : {-y, y}) {
-      for (const double k : {-z, z}) list.emplace_back(i, j, k);
-    }
+// Half extents of 1/8 to 1 in eighths.
+Vec3<double> extents(Random& random) {
+  const double x = random.integer(1, 8) / 8.0, y = random.integer(1, 8) / 8.0;
+  return {x, y, random.integer(1, 8) / 8.0};
+}
+// A box as a hull, with vertices that are turned and rounded to floats.
+Shape<double> box_hull(const Vec3<double>& half, const Eigen::Quaterniond& turned) {
+  Points list;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3<double> corner(i & 1 ? half[0] : -half[0], i & 2 ? half[1] : -half[1],
+                              i & 4 ? half[2] : -half[2]);
+    list.push_back(to_float(Vec3<double>(turned * corner)));
   }
-  return Hull<double>(std::span<const Vec3<double>>(list));
+  return hull_of(list);
+}
+Shape<double> level_box(Random& random) { return box_hull(extents(random), Eigen::Quaterniond::Identity()); }
+// An edge along x, or along y, is its highest and its lowest part.
+Shape<double> box_on_edge(Random& random, bool along_x) {
+  const double half = random.integer(1, 8) / 8.0, length = random.integer(1, 8) / 8.0;
+  const Vec3<double> axis = along_x ? Vec3<double>::UnitX() : Vec3<double>::UnitY();
+  return box_hull(along_x ? Vec3<double>(length, half, half) : Vec3<double>(half, length, half),
+                  Eigen::Quaterniond(Eigen::AngleAxisd(std::numbers::pi / 4, axis)));
+}
+Shape<double> box_on_vertex(Random& random) {
+  const Vec3<double> half = extents(random);
+  return box_hull(half, Eigen::Quaterniond::FromTwoVectors(half, Vec3<double>::UnitZ()));
 }
 
-// One long axis, or two: the others 1/16 to 1/512 of it.
-Shape<double> needle_or_plate(Random& random) {
-  const double thin = std::ldexp(1.0, -random.integer(4, 9));
+Shape<double> any_hull(Random& random) {
+  return random.once_in(4) ? level_box(random) : round_hull(random, hull_size(random), 1);
+}
+
+// One long axis, or two: the others are 1e-1 to 1e-5 of it. One in three is a hull as others are.
+Shape<double> sliver(Random& random) {
+  if (random.once_in(3)) return any_hull(random);
+  const double thin = small(random, 1, 5);
   Vec3<double> radii(1, random.once_in(2) ? 1 : thin, thin);
   std::swap(radii[0], radii[random.integer(0, 2)]);
   return ellipsoid_hull(random, hull_size(random), radii);
 }
 
 // The corners of a polygon of n vertices around z, at the heights.
-std::vector<Vec3<double>> polygon(Random& random, int n, std::initializer_list<double> heights) {
+Points polygon(Random& random, int n, std::initializer_list<double> heights) {
   const double rx = random.uniform(0.5, 1), ry = random.uniform(0.5, 1), first = random.uniform(0, 1);
-  std::vector<Vec3<double>> list;
+  Points list;
   for (const double z : heights) {
     for (int i = 0; i < n; ++i) {
       const double angle = 2 * std::numbers::pi * (i + first) / n;
@@ -50,23 +86,32 @@ std::vector<Vec3<double>> polygon(Random& random, int n, std::initializer_list<d
 }
 // Level faces at -1/2 and 1/2.
 Shape<double> prism(Random& random) {
-  const std::vector<Vec3<double>> list = polygon(random, 4 << random.integer(0, 3), {-0.5, 0.5});
-  return Hull<double>(std::span<const Vec3<double>>(list));
+  return hull_of(polygon(random, 4 << random.integer(0, 3), {-0.5, 0.5}));
 }
-// A flat polygon across one of the axes.
+// A flat polygon across one of the axes, or across x = z.
 Shape<double> flat_hull(Random& random) {
-  std::vector<Vec3<double>> list = polygon(random, random.integer(3, 32), {0});
-  const int axis = random.integer(0, 2);
-  for (Vec3<double>& x : list) std::swap(x[2], x[axis]);
-  return Hull<double>(std::span<const Vec3<double>>(list));
+  Points list = polygon(random, random.integer(3, 32), {0});
+  const int axis = random.integer(0, 3);
+  for (Vec3<double>& x : list) {
+    if (axis == 3)
+      x[2] = x[0];
+    else
+      std::swap(x[2], x[axis]);
+  }
+  return hull_of(list);
 }
-Shape<double> triangle(Random& random) {
+Shape<double> flat(Random& random) {
   const Vec3<double> a = to_float(direction(random)), b = to_float(direction(random));
-  return Triangle<double>{a, b, to_float(direction(random))};
-}
-Shape<double> segment(Random& random) {
-  const Vec3<double> a = to_float(direction(random));
-  return Segment<double>{a, to_float(direction(random))};
+  switch (random.below(5)) {
+    case 0:
+      return Triangle<double>{a, b, to_float(direction(random))};
+    case 1:
+      return Segment<double>{a, b};
+    case 2:
+      return Point<double>{};
+    default:
+      return flat_hull(random);
+  }
 }
 
 class ResponseFamilies {
@@ -77,7 +122,7 @@ class ResponseFamilies {
     generic();
     boxes();
     grazing();
-    needles();
+    slivers();
     size_ratio();
     far();
     contact();
@@ -88,8 +133,6 @@ class ResponseFamilies {
   }
 
  private:
-  using Draw = Shape<double> (*)(Random&);
-
   CastFamily& start(std::string name, const std::function<Shape<double>(Random&)>& shape) {
     random_ = Random(corpus::fnv1a(name));
     CastFamily& family = families_.emplace_back();
@@ -98,46 +141,94 @@ class ResponseFamilies {
     for (std::size_t i = 0; i < size_.shapes; ++i) family.shapes.push_back(shape(random_));
     return family;
   }
-  static Shape<double> any_hull(Random& random) { return round_hull(random, hull_size(random), 1); }
+
+  // Turns a scene of bodies without orientations, in the turned set.
+  CastCase placed(CastCase c) {
+    if (!turned_) return c;
+    const Quaternion<double> q = turn(random_);
+    for (Placed* body : {&c.a, &c.b}) {
+      body->orientation = q;
+      body->position = to_float(Vec3<double>(rotation_of(q) * body->position));
+      body->displacement = to_float(Vec3<double>(rotation_of(q) * body->displacement));
+    }
+    return c;
+  }
+
+  // The shapes of families of placements come in turn.
+  enum ShapeKind : std::size_t { level, edge_along_y, edge_along_x, vertex };
+  CastFamily& start_placements(std::string name) {
+    return start(std::move(name), [this](Random& r) -> Shape<double> {
+      switch (families_.back().shapes.size() % 4) {
+        case edge_along_y:
+          return box_on_edge(r, false);
+        case edge_along_x:
+          return box_on_edge(r, true);
+        case vertex:
+          return box_on_vertex(r);
+        default:
+          return level_box(r);
+      }
+    });
+  }
+  std::size_t one_of(const CastFamily& family, ShapeKind kind) {
+    return 4 * random_.below(family.shapes.size() / 4) + kind;
+  }
+  // The highest part of a hull (side 1), or the lowest (-1).
+  static double level_of(const CastFamily& family, std::size_t shape, double side) {
+    double most = -kInfinity<double>;
+    const Hull<double>& hull = std::get<Hull<double>>(family.shapes[shape]);
+    for (const Vec3<double>& x : hull.vertices()) most = std::max(most, side * x[2]);
+    return side * most;
+  }
+  // A on a grid, and B above it: its lowest part is this far above A's highest one.
+  CastCase above(const CastFamily& family, std::size_t a, std::size_t b, double gap) {
+    CastCase c;
+    c.a.shape = a;
+    c.b.shape = b;
+    for (double& x : c.a.position) x = eighths(16);
+    c.b.position = c.a.position;
+    c.b.position[2] = to_float(c.a.position[2] + level_of(family, a, 1) - level_of(family, b, -1) + gap);
+    return c;
+  }
+  double eighths(int reach) { return random_.integer(-reach, reach) / 8.0; }
 
   void generic() {
     CastFamily& family = start("generic hulls", any_hull);
-    fill_half(family, size_.cases, judge(), [&] {
-      CastCase c = aimed(random_, family, 1, 3, 1.2);
-      // One path in four ends before it gets there.
-      if (random_.once_in(4)) shorten(c, random_.uniform(0.2, 0.7));
-      return c;
-    });
-  }
-  static void shorten(CastCase& c, double part) {
-    c.a.displacement = to_float(Vec3<double>(part * c.a.displacement));
-    c.b.displacement = to_float(Vec3<double>(part * c.b.displacement));
+    fill_half(family, size_.cases, judge(),
+              [&] { return aimed(random_, family, 1, random_.uniform(1.5, 4), 0.9); });
   }
 
-  // On a grid, along one axis, two or three, or with any motion.
+  // Face on face, equal footprints, crossed edges, parallel edges that meet, an edge or a vertex on a face. Straight down
+  // or obliquely.
   void boxes() {
-    CastFamily& family = start("boxes given as hulls", box_hull);
-    const auto step = [&](int reach) { return random_.integer(-reach, reach) / 8.0; };
-    const auto grid_point = [&](int reach) {
-      const double x = step(reach), y = step(reach);
-      return Vec3<double>(x, y, step(reach));
+    CastFamily& family = start_placements("boxes given as hulls");
+    struct Way {
+      ShapeKind a, b;
+      bool twins;  // of one shape, and one above the other when they meet
     };
-    fill_half(family, size_.cases, judge(), [&] {
-      CastCase c = aimed(random_, family, 1, 3, 1.4);
-      if (random_.once_in(2)) return c;
-      c.a.position = grid_point(32);
-      const Vec3<double> start = grid_point(24), target = grid_point(12);
-      c.b.position = c.a.position + start;
-      c.a.displacement = Vec3<double>::Zero();
-      c.b.displacement = 1.5 * (target - start);
-      const int kept = random_.integer(0, 2);
-      for (int i = 0; i < 3; ++i) {
-        if (i != kept && random_.once_in(2)) c.b.displacement[i] = 0;
-      }
-      return c;
+    constexpr Way kWays[] = {{level, level, false},
+                             {level, level, true},
+                             {level, vertex, false},
+                             {level, edge_along_y, false},
+                             {edge_along_y, vertex, false},
+                             {edge_along_y, edge_along_x, false},
+                             {edge_along_y, edge_along_y, true}};
+    fill_drawn(family, size_.cases, judge(), [&] {
+      const Way& way = kWays[random_.below(std::size(kWays))];
+      const std::size_t a = one_of(family, way.a), b = way.twins ? a : one_of(family, way.b);
+      const double gap = random_.integer(1, 16) / 8.0, down = random_.uniform(1.1, 2);
+      CastCase c = above(family, a, b, gap);
+      const Vec3<double> aside =
+          random_.once_in(2) ? Vec3<double>(in_cube(random_, gap)) : Vec3<double>::Zero();
+      Vec3<double> place = -aside / down;
+      if (!way.twins) place += Vec3<double>(eighths(4), eighths(4), 0);
+      c.b.position = to_float(Vec3<double>(c.b.position + Vec3<double>(place[0], place[1], 0)));
+      c.b.displacement = to_float(Vec3<double>(aside[0], aside[1], -down * gap));
+      return placed(c);
     });
   }
 
+  // A pass that clips or misses by 1e-1 to 1e-7.
   void grazing() {
     CastFamily& family = start("grazing", any_hull);
     fill_half(family, size_.cases, judge(), [&] {
@@ -149,96 +240,93 @@ class ResponseFamilies {
         return c;
       };
       const double offset = grazing_offset(family, judge(), at), side = random_.once_in(2) ? 1 : -1;
-      return at(offset + side * std::ldexp(1.0, -random_.integer(6, 22)));
+      return at(offset + side * small(random_, 1, 7));
     });
   }
 
-  void needles() {
-    CastFamily& family = start("needles and plates", needle_or_plate);
+  void slivers() {
+    CastFamily& family = start("needles and plates", sliver);
     fill_half(family, size_.cases, judge(), [&] { return aimed(random_, family, 1, 3, 0.4); });
   }
 
-  // B is a thousandth of A.
+  // A hull of size 1/2 falls on a box of 10 to 10,000: straight, obliquely, or not all the way.
   void size_ratio() {
     CastFamily& family = start("size ratio", [&](Random& r) {
-      const bool large = families_.back().shapes.size() < size_.shapes / 2;
-      return round_hull(r, hull_size(r), large ? 1000 : 1);
+      if (families_.back().shapes.size() >= size_.shapes / 2) return round_hull(r, hull_size(r), 0.5);
+      return box_hull(std::pow(10.0, r.uniform(1, 4)) * extents(r), Eigen::Quaterniond::Identity());
     });
-    fill_half(family, size_.cases, judge(), [&] { return aimed(random_, family, 1000, 1500, 0.8); });
+    fill_drawn(family, size_.cases, judge(), [&] {
+      const std::size_t half = size_.shapes / 2, a = random_.below(half);
+      const double gap = random_.uniform(0.5, 5), size = level_of(family, a, 1);
+      CastCase c = above(family, a, half + random_.below(half), gap);
+      const Vec3<double> place = size * in_cube(random_, 1);
+      c.b.position = to_float(Vec3<double>(c.b.position + Vec3<double>(place[0], place[1], 0)));
+      const std::size_t way = random_.below(3);
+      if (way == 1) c.b.displacement = to_float(in_cube(random_, 2 * gap));
+      c.b.displacement[2] = to_float(-gap * (way == 2 ? random_.uniform(0.2, 0.9) : random_.uniform(1.1, 2)));
+      return placed(c);
+    });
   }
 
-  // 2^12 to 2^16 sizes away, where a float's step is 2^-12 to 2^-8 of a size.
+  // 10 to 1e5 from the origin, where a float's step is up to 2^-7.
   void far() {
     CastFamily& family = start("far from the origin", any_hull);
     fill_half(family, size_.cases, judge(), [&] {
       CastCase c = aimed(random_, family, 1, 3, 1.2);
-      const Vec3<double> base = std::ldexp(1.0, random_.integer(12, 16)) * direction(random_);
+      const Vec3<double> base = std::pow(10.0, random_.uniform(1, 5)) * direction(random_);
       c.a.position = to_float(Vec3<double>(c.a.position + base));
       c.b.position = to_float(Vec3<double>(c.b.position + base));
       return c;
     });
   }
 
-  // Three quarters overlap, the rest just touches: B is where its cast first found contact, to a float.
+  // Faces that touch exactly, and then enter, leave or slide. A vertex that touches. Shallow by 1e-1 to 1e-6, deep, and
+  // in the same place.
   void contact() {
-    CastFamily& family = start("starts in contact", any_hull);
+    CastFamily& family = start_placements("starts in contact");
     family.in_contact = true;
     fill_with(family, size_.cases, judge(), Outcome::initially_overlapping, [&] {
-      if (!random_.once_in(4)) return aimed(random_, family, 1, 0.7, 1.2);
-      while (true) {
-        CastCase c = aimed(random_, family, 1, 3, 0.8);
-        const CastResult<double> r =
-            cast(body_of<double>(c.a, family.shapes), body_of<double>(c.b, family.shapes), judge());
-        if (r.outcome != Outcome::hit) continue;
-        const Vec3<double> v = c.b.displacement - c.a.displacement;
-        c.b.position = to_float(Vec3<double>(c.b.position + r.toi_lower * v));
-        if (outcome_of(family, c, judge()) == Outcome::initially_overlapping) return c;
-      }
+      const std::size_t way = random_.below(7), a = one_of(family, level);
+      const double depth = way == 4 ? small(random_, 1, 6) : way == 5 ? random_.uniform(0.2, 1) : 0;
+      const std::size_t b = way == 6 ? a : one_of(family, way == 3 ? vertex : level);
+      CastCase c = above(family, a, b, -depth);
+      if (way == 6) c.b.position = c.a.position;
+      if (way < 3) c.b.position += Vec3<double>(eighths(1), eighths(1), 0);
+      Vec3<double> v = to_float(in_cube(random_, 2));
+      if (way < 2) v[2] = way == 0 ? -1 : 1;
+      if (way == 2) v[2] = 0;
+      set_motion(random_, c, v);
+      return placed(c);
     });
   }
 
-  // B's lower face moves in the plane of A's upper one, or 2^-10 to 2^-20 above or below it.
+  // B's lower face moves in the plane of A's upper one or 1e-1 to 1e-6 above it, descends towards it from there, or
+  // meets A's rim as far below it.
   void sliding() {
     CastFamily& family = start("sliding", prism);
-    fill_half(family, size_.cases, judge(), [&] {
+    fill_drawn(family, size_.cases, judge(), [&] {
       CastCase c = aimed(random_, family, 1, 3, 0.8);
-      const double gap =
-          random_.once_in(2) ? 0 : std::ldexp(random_.once_in(2) ? 1 : -1, -random_.integer(10, 20));
+      const std::size_t way = random_.below(3);
+      const double gap = way == 0 && random_.once_in(4) ? 0 : small(random_, 1, 6);
       c.a.position[2] = random_.integer(-2, 2) / 4.0;
-      c.b.position[2] = c.a.position[2] + 1 + gap;
-      c.b.displacement[2] = c.a.displacement[2];
-      if (!turned_) return c;
-      const Quaternion<double> q = turn(random_);
-      const Eigen::Quaterniond rotation = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized();
-      for (Placed* body : {&c.a, &c.b}) {
-        body->orientation = q;
-        body->position = to_float(Vec3<double>(rotation * body->position));
-        body->displacement = to_float(Vec3<double>(rotation * body->displacement));
-      }
-      return c;
+      c.b.position[2] = to_float(c.a.position[2] + 1 + (way == 2 ? -gap : gap));
+      c.b.displacement[2] = to_float(c.a.displacement[2] - (way == 1 ? random_.uniform(0.5, 2) * gap : 0));
+      return placed(c);
     });
   }
 
-  // From 10 to 10,000 sizes away. Half of the paths continue up to 1,000 times the distance.
+  // From 10 to 100,000 sizes away.
   void long_casts() {
     CastFamily& family = start("long casts", any_hull);
-    fill_half(family, size_.cases, judge(), [&] {
-      CastCase c = aimed(random_, family, 1, std::pow(10.0, random_.uniform(1, 4)), 1.0);
-      if (random_.once_in(2)) shorten(c, std::ldexp(1.0, random_.integer(1, 10)));
-      return c;
-    });
+    fill_half(family, size_.cases, judge(),
+              [&] { return aimed(random_, family, 1, std::pow(10.0, random_.uniform(1, 5)), 1.0); });
   }
 
-  // A is flat or a hull. B is a point, a segment, a triangle or flat.
+  // A is flat or a hull. B is a point, a segment, a triangle or a flat polygon.
   void flats() {
-    CastFamily& family = start("flats, segments, points", [&](Random& r) -> Shape<double> {
-      if (families_.back().shapes.size() < size_.shapes / 2) {
-        constexpr Draw kLarge[] = {flat_hull, any_hull, triangle};
-        return kLarge[r.below(3)](r);
-      }
-      constexpr Draw kSmall[] = {flat_hull, segment, triangle,
-                                 [](Random&) -> Shape<double> { return Point<double>{}; }};
-      return kSmall[r.below(4)](r);
+    CastFamily& family = start("flats, segments, points", [&](Random& r) {
+      const bool first = families_.back().shapes.size() < size_.shapes / 2;
+      return first && r.once_in(2) ? any_hull(r) : flat(r);
     });
     fill_half(family, size_.cases, judge(), [&] { return aimed(random_, family, 1, 3, 0.6); });
   }
