@@ -12,6 +12,7 @@
 #include <graze/detail/numeric/rounding.hpp>
 #include <graze/detail/queries/distance_query.hpp>
 #include <graze/detail/search/exact/exact_answer.hpp>
+#include <graze/detail/search/exact/meeting.hpp>
 #include <graze/detail/shapes/validation.hpp>
 #include <graze/distance.hpp>
 #include <graze/line.hpp>
@@ -210,10 +211,12 @@ SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
   const double t_max = static_cast<double>(options.t_max);
   const detail::exact::Answer answer = cast.pass(t_max);
   const bool ahead = answer.passage == detail::exact::Passage::ahead;
+  // t_max is a double: t_in <= t_max iff the least double not below t_in is.
+  const auto time = [&] {
+    return detail::exact::Meeting<S>(cast.pair(), cast.scene(), answer.facet, cast.v()).time();
+  };
   const bool meets = answer.passage == detail::exact::Passage::contact ||
-                     (ahead && cast.pair().moves() &&
-                      (t_max == kInfinity<double> ||
-                       detail::exact::compare_time(cast.scene(), answer.facet, cast.v(), t_max) <= 0));
+                     (ahead && cast.pair().moves() && time().upper <= t_max);
   out.outcome = meets ? Outcome::hit : Outcome::miss;
   if (!meets) {
     out.normal = answer.passage == detail::exact::Passage::beside
