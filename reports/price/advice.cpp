@@ -13,7 +13,7 @@
 namespace graze::price {
 namespace {
 
-enum class Bodies : std::uint8_t { any, in_float, polytopes, other_shapes, turning };
+enum class Bodies : std::uint8_t { any, in_float, exact, other_shapes, turning };
 
 struct Rule {
   const char* user;
@@ -34,7 +34,7 @@ constexpr Rule kRules[] = {
     {"a game", kGame, "that rotate", Bodies::turning, false, 1e-3},
     {"a robot", kRobot, "that do not rotate", Bodies::any, true, 1},
     {"a robot", kRobot, "that rotate", Bodies::turning, true, 1},
-    {"a CAD tool", kCad, "that are polytopes", Bodies::polytopes, true, 1e-15},
+    {"a CAD tool", kCad, "that tier exact answers", Bodies::exact, true, 1e-15},
     {"a CAD tool", kCad, "of other shapes", Bodies::other_shapes, true, 1e-12},
     {"a CAD tool", kCad, "that rotate", Bodies::turning, true, 1e-9},
 };
@@ -46,7 +46,7 @@ bool has_float(const PriceTable& table) {
   return std::any_of(table.rows.begin(), table.rows.end(),
                      [](const Row& row) { return row.scalar == "float"; });
 }
-bool is_of_polytopes(const PriceTable& table) {
+bool is_for_exact(const PriceTable& table) {
   const Row* exact = table.find("exact/double");
   return exact != nullptr && exact->asked == table.cases;
 }
@@ -57,10 +57,10 @@ Tables tables_of(const Document& document, Bodies bodies) {
     switch (bodies) {
       case Bodies::in_float:
         return !has_float(*table);
-      case Bodies::polytopes:
-        return !is_of_polytopes(*table);
+      case Bodies::exact:
+        return !is_for_exact(*table);
       case Bodies::other_shapes:
-        return is_of_polytopes(*table);
+        return is_for_exact(*table);
       case Bodies::any:
       case Bodies::turning:
         break;

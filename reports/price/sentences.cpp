@@ -110,19 +110,19 @@ class Words {
     first("never_wrong", "never wrong of the verdict, however near the tie,",
           [](const Overall& one) { return one.wrong == 0 && one.open == 0; });
     if (turning) return;
-    // Tier exact is asked polytopes only.
-    const Tables polytopes = where([](const PriceTable& table) {
+    // Of other shapes tier exact is not asked.
+    const Tables for_exact = where([](const PriceTable& table) {
       const Row* exact = table.find("exact/double");
       return table.part == Part::family && exact != nullptr && exact->asked == table.cases;
     });
-    const std::vector<Overall> of_polytopes = overall(polytopes);
-    const auto found = std::find_if(of_polytopes.begin(), of_polytopes.end(),
+    const std::vector<Overall> of_exact = overall(for_exact);
+    const auto found = std::find_if(of_exact.begin(), of_exact.end(),
                                     [](const Overall& one) { return one.wrong == 0 && one.late == 0; });
-    if (found != of_polytopes.end()) {
+    if (found != of_exact.end()) {
       say("never_wrong",
           fmt::format(
-              "On polytopes alone the cheapest that is neither wrong nor late: {}, at {} times the time of "
-              "{}.",
+              "On what tier exact answers, the cheapest that is neither wrong nor late: {}, at {} times the "
+              "time of {}.",
               found->row->label, times_text(found->cost), baseline));
     }
   }
@@ -270,10 +270,9 @@ class Words {
       over_certified.add(ratio_of(exact) / ratio_of(table->find("certified/double")), table->name);
     }
     if (over_mpr.empty()) return;
-    say("exactness",
-        fmt::format("Exactness, on polytopes: tier exact takes {} the time of mpr/double, and {} that of "
-                    "certified/double.",
-                    over_mpr.text(), over_certified.text()));
+    say("exactness", fmt::format("Exactness: tier exact takes {} the time of mpr/double, and {} that of "
+                                 "certified/double.",
+                                 over_mpr.text(), over_certified.text()));
   }
 
   void scalars() {

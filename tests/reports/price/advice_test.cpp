@@ -75,16 +75,16 @@ TEST(PriceAdvice, ARobotTakesNothingThatIsLateOrWrong) {
 }
 
 TEST(PriceAdvice, TierExactIsTakenWhereItCostsNoMore) {
-  EXPECT_EQ(advice(planted_document(), "a CAD tool", "that are polytopes").label, "exact/double")
+  EXPECT_EQ(advice(planted_document(), "a CAD tool", "that tier exact answers").label, "exact/double")
       << "certified is off by 2e-15";
   Document document = planted_document();
   for (Row& row : document.tables[0].rows) {
     if (row.tier == "certified") row.backward.worst = 0;
   }
   // 5 times against 4, then 4.1.
-  EXPECT_EQ(advice(document, "a CAD tool", "that are polytopes").label, "certified/double");
+  EXPECT_EQ(advice(document, "a CAD tool", "that tier exact answers").label, "certified/double");
   document.tables[0].rows.back().ratio = Spread{.median = 4.1, .low = 4, .high = 4.2};
-  EXPECT_EQ(advice(document, "a CAD tool", "that are polytopes").label, "exact/double");
+  EXPECT_EQ(advice(document, "a CAD tool", "that tier exact answers").label, "exact/double");
 }
 
 TEST(PriceAdvice, ThePlanIsTakenWhereItCostsNoMore) {
