@@ -1,8 +1,8 @@
 // A case as a document that a viewer draws: the bodies and their motions, the truth, the claims, the proof.
 //
 // Everything that a picture needs is computed here, by exact hulls, oracles and the proof checker. A viewer only places
-// and draws it. The document is graze.shown/1. page_scene.cpp writes its fields, and docs/howto/show.md describes them.
-// Places are relative to `origin`, A's position, so that a far offset costs no digits.
+// and draws it. The document is graze.shown/1. page_scene.cpp writes its fields, and docs/reference/page-format.md
+// describes them. Places are relative to `origin`, A's position, so that a far offset costs no digits.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -62,11 +62,18 @@ CaseFiles read_case_files(const std::vector<std::string>& names) {
 
 namespace {
 
+// A query with its method, without the scalar: overlap gjk. Of a cast, the method alone.
+std::string without_scalar(const engine::Method& method) {
+  const std::string question = method.question_name();
+  return question.substr(0, question.rfind('/'));
+}
+
 // Each once, in the order of the list.
 std::string names_of(engine::Kind kind) {
   std::vector<std::string> names;
   for (const engine::Method& method : engine::methods(kind)) {
-    if (std::find(names.begin(), names.end(), method.name) == names.end()) names.push_back(method.name);
+    std::string name = without_scalar(method);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
   }
   return fmt::format("{}", fmt::join(names, ", "));
 }
@@ -75,11 +82,11 @@ std::string names_of(engine::Kind kind) {
 
 std::string linear_names() { return names_of(engine::Kind::linear); }
 std::string rotating_names() { return names_of(engine::Kind::rotating); }
+std::string query_names() { return names_of(engine::Kind::query); }
 
 bool selects(std::string_view name, const engine::Method& method) {
-  if (name == "all" || name == method.name || name == method.full_name()) return true;
-  const std::string question = method.question_name();
-  return name == question || name == std::string_view(question).substr(0, question.rfind('/'));
+  return name == "all" || name == method.name || name == method.full_name() ||
+         name == method.question_name() || name == without_scalar(method);
 }
 
 std::vector<const engine::Method*> select_methods(const std::vector<std::string>& names) {
@@ -95,11 +102,12 @@ std::vector<const engine::Method*> select_methods(const std::vector<std::string>
   }
   const auto unknown = std::find(used.begin(), used.end(), false);
   if (unknown != used.end()) {
-    throw std::runtime_error(fmt::format(
-        "--method: {} is no method; it is {}, of rotating casts {}, one of a query with it (overlap gjk), "
-        "one "
-        "of them with its scalar (mpr/float), or all",
-        names[static_cast<std::size_t>(unknown - used.begin())], linear_names(), rotating_names()));
+    throw std::runtime_error(
+        fmt::format("--method: {} is no method; it is {}, of rotating casts {}, of queries {}, one of them "
+                    "with its scalar "
+                    "(mpr/float), or all",
+                    names[static_cast<std::size_t>(unknown - used.begin())], linear_names(), rotating_names(),
+                    query_names()));
   }
   return selected;
 }

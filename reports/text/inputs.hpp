@@ -42,8 +42,9 @@ struct CaseFiles {
 // selects nothing.
 [[nodiscard]] std::vector<const engine::Method*> select_methods(const std::vector<std::string>& names);
 
-// Their names, "ca, gjk, mpr": of the linear casts, of the rotating ones.
+// Their names, "ca, gjk, mpr": of the linear casts, of the rotating ones, of the queries ("overlap gjk").
 [[nodiscard]] std::string linear_names();
 [[nodiscard]] std::string rotating_names();
+[[nodiscard]] std::string query_names();
 
 }  // namespace graze::tool

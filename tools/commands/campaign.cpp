@@ -329,9 +329,9 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
           "--method,--methods", arguments->methods,
           fmt::format(
               "A method of linear casts: {} (default: exact); of rotating casts: {} (default: plan and "
-              "certified, both scalars); or of a query (default: each that has a guarantee). standard "
+              "certified, both scalars); or of queries: {} (default: each that has a guarantee). standard "
               "names every method of that tier. May be repeated",
-              linear_names(), rotating_names()))
+              linear_names(), rotating_names(), query_names()))
       ->type_name("NAME");
   command->add_option("--seed", arguments->seed, "Another campaign of the same kind (1)")
       ->check(seed_number())

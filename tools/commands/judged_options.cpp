@@ -33,9 +33,9 @@ void add_judged_options(CLI::App& command, JudgedArguments& arguments, const std
   command
       .add_option(
           "--method", arguments.methods,
-          fmt::format("{}; for rotating casts {}; for a query (overlap gjk); with a scalar (mpr/float); or "
-                      "all (may be repeated)",
-                      linear_names(), rotating_names()))
+          fmt::format("{}; for rotating casts {}; for queries {}; with a scalar (mpr/float); or all (may be "
+                      "repeated)",
+                      linear_names(), rotating_names(), query_names()))
       ->type_name("NAME")
       ->allow_extra_args(false);
   command

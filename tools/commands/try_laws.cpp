@@ -44,10 +44,11 @@ void check_methods(const std::vector<std::string>& names, const std::vector<Law>
                          [&](const engine::Method& method) { return selects(name, method); });
     });
     if (!known) {
-      throw std::runtime_error(fmt::format(
-          "--method: no law asks a method {}; it is one of {} or {}, of the queries epa and slow, "
-          "one with its scalar (mpr/float), or all",
-          name, linear_names(), rotating_names()));
+      throw std::runtime_error(
+          fmt::format("--method: no law asks a method {}; it is one of {}, of rotating casts {}, of queries "
+                      "{}, one of them "
+                      "with its scalar (mpr/float), or all",
+                      name, linear_names(), rotating_names(), query_names()));
     }
   }
 }
