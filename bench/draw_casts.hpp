@@ -40,7 +40,7 @@ void set_motion(Random& random, CastCase& c, const Vec3<double>& v);
 // Draws until half of the cases are hits and half misses. A start in contact counts as neither.
 void fill_half(CastFamily& family, std::size_t cases, const CastOptions<double>& options,
                const std::function<CastCase()>& draw);
-// As drawn, but for starts in contact.
+// As drawn. Starts in contact are left out.
 void fill_drawn(CastFamily& family, std::size_t cases, const CastOptions<double>& options,
                 const std::function<CastCase()>& draw);
 // Draws until all have the wanted outcome.
