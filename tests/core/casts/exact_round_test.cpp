@@ -458,6 +458,20 @@ TEST(ExactRounds, TheNormalIsThatOfTheFeatureAtContact) {
   EXPECT_NEAR((r.normal - Vec3<double>(0, 0, 1)).norm(), 0, kNormal);
 }
 
+// Newton's step from the start passes the contact by rounding. From there it once went back to the start, 32 times over.
+TEST(ExactRounds, AStepBeyondTheContactIsTakenOnce) {
+  const Shape<double> hull =
+      Hull<double>{{-1e38, -10, 1e55}, {-2e7, 1e20, 1e-14}, {0, 0, 1e-57}, {-1e-25, 0, 0}};
+  const Body<double> a{.shape = rounded(hull, 2e-10), .position = {0, -2e-6, -1e37}};
+  const Body<double> b{.shape = Segment<double>{{0, -1.5e29, 0}, {0, 0, 0}},
+                       .position = {-1e32, -1e30, -2e-57},
+                       .displacement = {1e32, 1e30, -1e37}};
+  const CastResult<double> r = cast(a, b, {.tier = Tier::exact});
+  ASSERT_EQ(r.outcome, Outcome::hit);
+  EXPECT_EQ(r.toi_upper, 1);
+  EXPECT_LT(r.counters.supports, 64);
+}
+
 TEST(ExactDistance, OfKnownBodies) {
   const Body<double> box{.shape = Box<double>{{1, 1, 1}}};
   Body<double> ball{.shape = Sphere<double>{2}, .position = {4, 5, 1}};

@@ -80,7 +80,7 @@ TEST(Dyadic, NeighboursDifferByTheLastBit) {
   }
 }
 
-// There is room for 10,240 bits. One more is refused, and stays refused.
+// There is room for 12,288 bits. One more is refused, and stays refused.
 TEST(Dyadic, BeyondItsRoomItIsInvalidAndStaysSo) {
   const Dyadic one(1), small(0x1p-1000);
   Dyadic power = small;
@@ -89,7 +89,7 @@ TEST(Dyadic, BeyondItsRoomItIsInvalidAndStaysSo) {
     power = power * small;
     ++factors;
   }
-  EXPECT_EQ(factors, 11);  // 2^-10000 + 1 fits, 2^-11000 + 1 does not
+  EXPECT_EQ(factors, 13);  // 2^-12000 + 1 fits, 2^-13000 + 1 does not
   const Dyadic overflown = one + power;
   EXPECT_FALSE(overflown.valid());
   EXPECT_FALSE((overflown - overflown).valid());

@@ -5,6 +5,7 @@
 //   a posed vertex, times |q|^2 of both bodies        2,270 bits
 //   the determinant of three of them                  6,820 bits
 //   the same minus a time times another determinant   7,900 bits, as a time is a double
+//   of rounded shapes, a face's squared distance     12,100 bits
 // Nested rotations of combinators take more. Beyond kLimbs `valid` turns false and stays so. The caller then
 // refuses the case (too_complex) and never guesses.
 //
@@ -23,7 +24,7 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace 
 
 class Dyadic {
  public:
-  static constexpr int kLimbs = 160;
+  static constexpr int kLimbs = 192;
 
   // NOLINTNEXTLINE(modernize-use-equals-default): a defaulted one would have Dyadic() clear all limbs
   Dyadic() {}

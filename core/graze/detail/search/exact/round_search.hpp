@@ -257,10 +257,12 @@ class RoundSearch {
     const double first = as_double(from_), last = as_double(to_);
     double lower = first, upper = last;
     double t = guess > first && guess < last ? guess : first;
+    bool has_lower = false;
     for (int step = 0; step < kNewton && valid_; ++step) {
       const bool falls = is_falling_at(t), before = falls && near_->sign_of_f() >= 0;
       (before ? lower : upper) = t;
-      if (!before && lower > first) break;
+      has_lower = has_lower || before;
+      if (!before && has_lower) break;
       // Where f falls, a step from beyond the root lands below it.
       const double next = std::clamp(falls ? t + newton() : first, first, last);
       if (!(before ? next > t : next < t)) break;
