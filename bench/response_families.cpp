@@ -18,7 +18,7 @@ using Points = std::vector<Vec3<double>>;
 
 CastOptions<double> judge() { return {.tier = Tier::exact}; }
 
-// Up to a power of ten: 10^-most to 10^-least.
+// 10^-most to 10^-least, each decade as often.
 double small(Random& random, double least, double most) {
   return std::pow(10.0, -random.uniform(least, most));
 }

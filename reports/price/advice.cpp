@@ -46,10 +46,6 @@ bool has_float(const PriceTable& table) {
   return std::any_of(table.rows.begin(), table.rows.end(),
                      [](const Row& row) { return row.scalar == "float"; });
 }
-bool is_for_exact(const PriceTable& table) {
-  const Row* exact = table.find("exact/double");
-  return exact != nullptr && exact->asked == table.cases;
-}
 
 Tables tables_of(const Document& document, Bodies bodies) {
   Tables tables = families_of(document, bodies == Bodies::turning);

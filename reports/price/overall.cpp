@@ -17,6 +17,11 @@ Tables families_of(const Document& document, bool turning) {
   return found;
 }
 
+bool is_for_exact(const PriceTable& table) {
+  const Row* exact = table.find("exact/double");
+  return exact != nullptr && exact->asked == table.cases;
+}
+
 std::vector<Overall> overall(const Tables& tables) {
   std::vector<Overall> found;
   if (tables.empty()) return found;

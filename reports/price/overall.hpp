@@ -12,6 +12,8 @@ using Tables = std::vector<const PriceTable*>;
 
 // The families of rotating bodies, or of the others.
 [[nodiscard]] Tables families_of(const Document& document, bool turning);
+// Does tier exact answer every case?
+[[nodiscard]] bool is_for_exact(const PriceTable& table);
 
 // A method of ours that is asked every case of each table. The counts come from the first table's row.
 struct Overall {

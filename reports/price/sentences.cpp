@@ -111,10 +111,8 @@ class Words {
           [](const Overall& one) { return one.wrong == 0 && one.open == 0; });
     if (turning) return;
     // Of other shapes tier exact is not asked.
-    const Tables for_exact = where([](const PriceTable& table) {
-      const Row* exact = table.find("exact/double");
-      return table.part == Part::family && exact != nullptr && exact->asked == table.cases;
-    });
+    const Tables for_exact =
+        where([](const PriceTable& table) { return table.part == Part::family && is_for_exact(table); });
     const std::vector<Overall> of_exact = overall(for_exact);
     const auto found = std::find_if(of_exact.begin(), of_exact.end(),
                                     [](const Overall& one) { return one.wrong == 0 && one.late == 0; });
@@ -264,8 +262,8 @@ class Words {
   void exactness() {
     Range over_mpr, over_certified;
     for (const PriceTable* table : families_of(document_, false)) {
+      if (!is_for_exact(*table)) continue;
       const Row* exact = table->find("exact/double");
-      if (exact == nullptr || exact->asked < table->cases) continue;
       over_mpr.add(ratio_of(exact) / ratio_of(table->find("mpr/double")), table->name);
       over_certified.add(ratio_of(exact) / ratio_of(table->find("certified/double")), table->name);
     }

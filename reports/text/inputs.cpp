@@ -62,7 +62,7 @@ CaseFiles read_case_files(const std::vector<std::string>& names) {
 
 namespace {
 
-// A query with its method, without the scalar: overlap gjk. Of a cast, the method alone.
+// The name of a query's method without its scalar: `overlap gjk`.
 std::string without_scalar(const engine::Method& method) {
   const std::string question = method.question_name();
   return question.substr(0, question.rfind('/'));
@@ -72,7 +72,7 @@ std::string without_scalar(const engine::Method& method) {
 std::string names_of(engine::Kind kind) {
   std::vector<std::string> names;
   for (const engine::Method& method : engine::methods(kind)) {
-    std::string name = without_scalar(method);
+    std::string name = kind == engine::Kind::query ? without_scalar(method) : method.name;
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
   }
   return fmt::format("{}", fmt::join(names, ", "));
@@ -83,6 +83,10 @@ std::string names_of(engine::Kind kind) {
 std::string linear_names() { return names_of(engine::Kind::linear); }
 std::string rotating_names() { return names_of(engine::Kind::rotating); }
 std::string query_names() { return names_of(engine::Kind::query); }
+std::string all_names() {
+  return fmt::format("{}, of rotating casts {}, of queries {}, one with its scalar (mpr/float), or all",
+                     linear_names(), rotating_names(), query_names());
+}
 
 bool selects(std::string_view name, const engine::Method& method) {
   return name == "all" || name == method.name || name == method.full_name() ||
@@ -102,12 +106,9 @@ std::vector<const engine::Method*> select_methods(const std::vector<std::string>
   }
   const auto unknown = std::find(used.begin(), used.end(), false);
   if (unknown != used.end()) {
-    throw std::runtime_error(
-        fmt::format("--method: {} is no method; it is {}, of rotating casts {}, of queries {}, one of them "
-                    "with its scalar "
-                    "(mpr/float), or all",
-                    names[static_cast<std::size_t>(unknown - used.begin())], linear_names(), rotating_names(),
-                    query_names()));
+    throw std::runtime_error(fmt::format("--method: {} is no method; it is one of {}",
+                                         names[static_cast<std::size_t>(unknown - used.begin())],
+                                         all_names()));
   }
   return selected;
 }

@@ -46,5 +46,7 @@ struct CaseFiles {
 [[nodiscard]] std::string linear_names();
 [[nodiscard]] std::string rotating_names();
 [[nodiscard]] std::string query_names();
+// What --method takes, for messages.
+[[nodiscard]] std::string all_names();
 
 }  // namespace graze::tool

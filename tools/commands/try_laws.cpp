@@ -45,10 +45,7 @@ void check_methods(const std::vector<std::string>& names, const std::vector<Law>
     });
     if (!known) {
       throw std::runtime_error(
-          fmt::format("--method: no law asks a method {}; it is one of {}, of rotating casts {}, of queries "
-                      "{}, one of them "
-                      "with its scalar (mpr/float), or all",
-                      name, linear_names(), rotating_names(), query_names()));
+          fmt::format("--method: no law asks a method {}; it is one of {}", name, all_names()));
     }
   }
 }

@@ -39,8 +39,7 @@ TEST(PriceSentences, OneThatGivesAVerdictAwayIsNotTheOneThatIsNeverWrong) {
   EXPECT_NE(texts[0].find(": gjk/double 1e-03, at 0.50 times"), std::string::npos) << texts[0];
   EXPECT_EQ(texts[1],
             "On what tier exact answers, the cheapest that is neither wrong nor late: certified/double, at "
-            "4.00 times the "
-            "time of gjk/double.");
+            "4.00 times the time of gjk/double.");
 }
 
 // Each family counts: who is late in one is never the one that is never late.

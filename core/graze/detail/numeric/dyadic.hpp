@@ -5,9 +5,8 @@
 //   a posed vertex, times |q|^2 of both bodies        2,270 bits
 //   the determinant of three of them                  6,820 bits
 //   the same minus a time times another determinant   7,900 bits, as a time is a double
-//   of rounded shapes, a face's squared distance     12,100 bits
-// Nested rotations of combinators take more. Beyond kLimbs `valid` turns false and stays so. The caller then
-// refuses the case (too_complex) and never guesses.
+// Rounded shapes can take more, and so can nested rotations of combinators. Beyond kLimbs `valid` turns false and stays
+// so. The caller then refuses the case (too_complex) and never guesses.
 //
 // Why this and neither of the others (bench/exact_bench.cpp): docs/reports/costs.md.
 #pragma once

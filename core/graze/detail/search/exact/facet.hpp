@@ -127,19 +127,16 @@ FineTime fine_time(const Scene<S>& scene, const Facet& facet, const Term& v) {
   return out;
 }
 
-// The sign of t minus `end`, end >= 0 and finite.
 template <Scalar S>
-int compare_time(const Scene<S>& scene, const Facet& facet, const Term& v, double end) {
-  GRAZE_ASSERT(end >= 0 && end < kInfinity<double>);
+int sign_of_time(const Scene<S>& scene, const Facet& facet, const Term& v) {
   const FineTime f = fine_time(scene, facet, v);
-  const double s = end * power_of_two(scene.speed_exponent() - scene.length_exponent());
-  if (f.known && (s == 0 || (s > 0x1p-500 && s < 0x1p500))) {
+  if (f.known) {
     double error = 0;
-    const double rest = f.rest(s, error);
+    const double rest = f.rest(0, error);
     if (rest > error) return 1;
     if (rest < -error) return -1;
   }
-  return exact_time(scene, facet, v).compare(end);
+  return exact_time(scene, facet, v).compare(0);
 }
 
 template <Scalar S>

@@ -83,10 +83,10 @@ class PassageSearch {
   // In contact at t = 0: does the motion leave or slide as it begins? At rest: is the origin on C's border?
   [[nodiscard]] bool leaves_or_slides() {
     const Answer out = end(1);
-    if (compare_time(scene(), out.facet, v(), 0.0) == 0) return true;
+    if (sign_of_time(scene(), out.facet, v()) == 0) return true;
     if (!pair_.moves()) {
       const Answer in = end(-1);
-      if (compare_time(scene(), in.facet, v(), 0.0) == 0) return true;
+      if (sign_of_time(scene(), in.facet, v()) == 0) return true;
     }
     return slides();
   }
