@@ -68,6 +68,49 @@ TEST(CertifiedRare, AnOpenStartIsNoVerdict) {
   EXPECT_GT(over, 100);
 }
 
+// A cone slides away less than an ulp above the face on which it lay. No single axis in doubles proves that it misses.
+TEST(CertifiedRare, AMissTakesTwoAxes) {
+  const Body<double> a{.shape = Cone<double>{53.84095857943612, 12.741834333164661},
+                       .position = {-155.18773739691824, -358.52762623876333, 501.54029722325504},
+                       .orientation = {8, 4, 8, 14},
+                       .displacement = {482.57136208847123, 781.3868139017786, -1223.2647818336675}};
+  const Body<double> b{.shape = Box<double>{{85.35170483682305, 106.19389363564551, 20.842188798822463}},
+                       .position = {14.712133269757032, 9.808088846504688, 11.034099952317774},
+                       .orientation = {0, -3, -2, 2},
+                       .displacement = {106.33296174839093, 43.565614156838805, -65.77251494028076}};
+  EXPECT_EQ(cast_certified(a, b).outcome, Outcome::miss);
+}
+
+// A cone slides onto a face and off again, in its plane. The portal that proves contact has an upper end past the face.
+TEST(CertifiedRare, AnUpperEndPastTheFaceIsNoHit) {
+  const Body<double> a{.shape = Cone<double>{65.390625, 43.59375},
+                       .position = {475.4765625, -31.857421875, 922.79296875},
+                       .orientation = {-45, -17, -25, 11},
+                       .displacement = {-993.375, 173.25, -1911.65625}};
+  const Body<double> b{.shape = Box<double>{{195.1875, 221.958984375, 26.771484375}},
+                       .position = {20.822265625, -11.8984375, -11.8984375},
+                       .orientation = {-2, -1, 2, 3}};
+  const auto r = cast_certified(a, b, {.t_max = kInfinity<double>});
+  EXPECT_EQ(r.outcome, Outcome::not_converged);
+  EXPECT_NEAR(r.toi_lower, 0.3461914, 1e-7);
+  EXPECT_LT(r.distance, 1e-9);
+}
+
+// A line of the cone's side slides onto the face of a rounded box. GJK alone ends 5e-11 from contact.
+TEST(CertifiedRare, AnOpenAnswerIsWithinTheWidth) {
+  const Body<double> a{.shape = Cone<double>{2.355029149912305, 1.5700194332748687},
+                       .position = {5.3020726554095745, 40, 0.9420116599649191},
+                       .orientation = {5, -8, 10, 4},
+                       .displacement = {-10.604145310819149, -80, 0}};
+  const Body<double> b{
+      .shape = rounded<double>(Box<double>{{3.6934535121545196, 1.8992714053019881, 1.8658279683440924}},
+                               2.5188741823658347),
+      .position = {0, 0, -4.384702150709927}};
+  const auto r = cast_certified(a, b);
+  EXPECT_NEAR(r.toi_lower, 0.4437099, 1e-7);
+  EXPECT_LE(r.distance, 40.08 * kLinearCertifiedWidth);
+}
+
 // Points as near as the domain has them, and target distances up to its end: cubes of their ratio would
 // overflow.
 TEST(CertifiedRare, ATargetDistanceFarBeyondTheBodiesIsContact) {

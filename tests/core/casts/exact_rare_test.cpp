@@ -151,7 +151,7 @@ TEST(ExactRare, AQueryTooComplexIsRefused) {
   int refused = 0;
   for (int round = 0; round < 20; ++round) {
     const auto nested = [&](Shape<double> shape) {
-      for (int level = 0; level < 13; ++level)
+      for (int level = 0; level < 15; ++level)
         shape = posed<double>(std::move(shape), draw.vector<double>(0.125), draw.turn<double>());
       return shape;
     };

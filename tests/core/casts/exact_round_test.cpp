@@ -128,6 +128,7 @@ std::string query_fault(const Question<S>& q, const RoundTruth& truth) {
     return "the overlap";
   const auto is_within = [&](S distance) { return RoundTruth(q.a, q.b, distance).starts_in_contact(); };
   const DistanceResult<S> apart = distance_exact(q.a, q.b);
+  if (apart.invalid != Invalid::none) return "the distance is refused";
   if (at_start.starts_in_contact() ? apart.lower != 0 || apart.upper != 0
                                    : !is_within(apart.upper) || is_within(next_down(apart.upper)) ||
                                          (apart.lower < apart.upper && is_within(apart.lower)))
@@ -257,6 +258,35 @@ TEST(ExactRounds, RandomPairsOfFloats) {
   const Tally tally = judge_random<float>(2, 120, 0);
   EXPECT_GT(tally.hits, 40);
   EXPECT_GT(tally.misses, 20);
+}
+// Every number is near 1e-60 or near 1e60, those of the rotations as well: no exact number may have more bits.
+TEST(ExactRounds, NumbersOfBothEndsOfTheRangeHaveRoom) {
+  Draw draw{10};
+  Tally tally;
+  for (int round = 0; round < 30 && !HasFatalFailure(); ++round) {
+    const auto number = [&] {
+      const double size = draw.between(1, 9.9) * (below(draw, 2) == 0 ? 1e-60 : 1e59);
+      return below(draw, 2) == 0 ? size : -size;
+    };
+    const auto vector = [&] {
+      const double x = number(), y = number();
+      return Vec3<double>(x, y, number());
+    };
+    const auto body = [&](const Shape<double>& core) {
+      const double w = number(), x = number(), y = number();
+      return Body<double>{.shape = rounded<double>(core, std::abs(number())),
+                          .position = vector(),
+                          .orientation = {w, x, y, number()},
+                          .displacement = vector()};
+    };
+    Question<double> q;
+    q.a = body(Triangle<double>{vector(), vector(), vector()});
+    q.b = body(Segment<double>{vector(), vector()});
+    if (below(draw, 2) == 0) q.t_max = kInfinity<double>;
+    judge(q, tally);
+  }
+  EXPECT_GT(tally.hits, 5);
+  EXPECT_GT(tally.misses, 10);
 }
 TEST(ExactRounds, RadiiFarFromTheSizes) {
   const Tally tally = judge_random<double>(3, 60, 100);

@@ -350,7 +350,7 @@ class CertifiedCast {
     double s = cso_.to_parameter(std::min(proof.toi_lower, context_.t_max));
     Near at = near(s);
     for (int i = 0; i < kAdvances && !(at.distance <= width_allowed_); ++i) {
-      if (is_miss(at.n)) return;
+      if (is_miss(at.n) || is_left_behind(at.n)) return;
       if (!is_swept() || !(prove_later(at.n) || looks_from_before(s, at)) || at.distance <= width_allowed_)
         break;
       s = cso_.to_parameter(std::min(proof.toi_lower, context_.t_max));
@@ -359,6 +359,17 @@ class CertifiedCast {
     if (!(at.distance <= width_allowed_) && is_miss_by_search(at.n)) return;
     apart = cso_.to_length(at.distance);
     n = at.n;
+  }
+  // Another axis proves that the path is free until toi_lower. This one separates there, and the path does not come
+  // nearer along it: so the rest is free, too. One axis for both may need more digits than a double has.
+  bool is_left_behind(const Vec3<double>& axis) {
+    const double away = context_.rate(axis).low;
+    if (!(away >= 0 &&
+          context_.reach(axis, counters_) < proof.toi_lower * away * (1 - 4 * kUnitRoundoff<double>)))
+      return false;
+    outcome = Outcome::miss;
+    lower = kInfinity<double>;
+    return true;
   }
   [[nodiscard]] bool prove_later(const Vec3<double>& axis) {
     const double before = proof.toi_lower;
@@ -457,7 +468,19 @@ class CertifiedCast {
   [[nodiscard]] Near near(double s) {
     Simplex<double> simplex;
     const Vec3<double> x = s * context_.r;
-    const Distance<double> d = gjk_distance(cso_, x, simplex, width_allowed_ / 64, 0.0, budget_, counters_);
+    Distance<double> d = gjk_distance(cso_, x, simplex, width_allowed_ / 64, 0.0, budget_, counters_);
+    // GJK stalls at a rim or a line that almost lies in a face: then nearer points, and better axes.
+    if (d.stalled && d.upper - d.lower > width_allowed_ / 8 && d.upper - cso_.radius() > width_allowed_ / 8) {
+      const auto support = [&](const Vec3<double>& e) {
+        CsoPoint<double> p = cso_.support(e);
+        p.w -= x;
+        return p;
+      };
+      for (CsoPoint<double>& p : simplex.point) p.w -= x;
+      go_on(d, support, simplex, width_allowed_ / 64, counters_);
+      if (d.upper - d.lower > width_allowed_ / 8)
+        turn_axis(d, support, simplex, width_allowed_ / 64, counters_);
+    }
     const double rounding =
         16 * kUnitRoundoff<double> * (cso_.extent() + cso_.radius()) + 4 * cso_.point_error();
     return {std::min(std::max(d.upper - cso_.radius(), 0.0), from_portal(x)) + rounding, d.n};
@@ -480,6 +503,12 @@ class CertifiedCast {
   void close() {
     const double speed = norm(context_.r) * (1 + 4 * kUnitRoundoff<double>);
     upper = std::min(cso_.to_time(portal.upper) * (1 + kUnitRoundoff<double>), context_.t_max);
+    // If the path is in the plane of a face, the portal's bracket is as long as the face, and `upper` may lie past C.
+    if (!((portal.upper - portal.least) * speed <= width_allowed_) &&
+        !(near(cso_.to_parameter(upper)).distance <= width_allowed_)) {
+      upper = kInfinity<double>;
+      return;
+    }
     const auto length_before = [&](double t) {
       return cso_.to_parameter(upper - t) * speed * (1 + 8 * kUnitRoundoff<double>);
     };

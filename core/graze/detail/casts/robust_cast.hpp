@@ -68,14 +68,18 @@ template <Scalar S, class Search>
     sweep = search(cso, most, clip, out.counters);
   }
   // The search did not get beyond the start. Seen along the path C may be too thin for a portal, and yet hold
-  // the origin: the overlap test, which starts from a point inside C, can tell.
-  if (sweep.outcome == Outcome::not_converged && !(sweep.lower > 0)) {
+  // the origin: the overlap test, which starts from a point inside C, can tell. Beyond the start, a path along C's side
+  // stops a ray cast and a portal, and not a distance.
+  if (sweep.outcome == Outcome::not_converged) {
     Counters again;
     SweepLimits<S> rest = limits;
     rest.budget = limits.budget / 4;
-    const Sweep<S> start = mpr_overlap(cso, rest, again);
+    const Sweep<S> last = sweep.lower > 0 ? conservative_advancement(cso, rest, sweep.lower, sweep.n, again)
+                                          : mpr_overlap(cso, rest, again);
     out.counters += again;
-    if (start.outcome == Outcome::initially_overlapping) sweep = start;
+    const bool is_answer = sweep.lower > 0 ? last.outcome != Outcome::not_converged
+                                           : last.outcome == Outcome::initially_overlapping;
+    if (is_answer) sweep = last;
   }
   // A hit within the noise of the start is a start in contact, too.
   const bool at_start =
@@ -123,13 +127,15 @@ bool robust_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& 
       a, b, options,
       [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
         SweepLimits<S> part = limits;
-        part.budget -= limits.budget / 4;
+        part.budget /= 3;
         Sweep<S> sweep = mpr_sweep(cso, part, counters);
         if (sweep.outcome == Outcome::not_converged) {
-          // MPR cycles at the level of rounding: GJK is tried instead, with the rest of the budget.
+          // MPR cycles at the level of rounding, or is slow, as between rims that are nearly aligned: GJK is tried from
+          // where it got.
           Counters again;
-          part.budget = limits.budget / 4;
-          sweep = gjk_ray_cast(cso, part, clip.enter, clip.n, again);
+          const bool got_on = sweep.lower > clip.enter;
+          sweep =
+              gjk_ray_cast(cso, limits, got_on ? sweep.lower : clip.enter, got_on ? sweep.n : clip.n, again);
           counters += again;
         }
         return sweep;

@@ -1,12 +1,18 @@
 // An exact number m 2^e: what is left to decide when doubles and pairs of doubles could not.
 //
-// Sums and products are exact and do not allocate. m has at most kLimbs 64-bit limbs. The numbers of a cast
-// fit (magnitudes 1e-60 to 1e60 are multiples of 2^-252 below 2^200, so a number takes 452 bits):
-//   a posed vertex, times |q|^2 of both bodies        2,270 bits
-//   the determinant of three of them                  6,820 bits
-//   the same minus a time times another determinant   7,900 bits, as a time is a double
-// Rounded shapes can take more, and so can nested rotations of combinators. Beyond kLimbs `valid` turns false and stays
-// so. The caller then refuses the case (too_complex) and never guesses.
+// Sums and products are exact and do not allocate. m has at most kLimbs 64-bit limbs: 20,480 bits. The numbers of a cast
+// fit. Given numbers are multiples of 2^-252 below 2^200, as magnitudes are 1e-60 to 1e60: 452 bits. W is |q|^2 of both
+// bodies, the weight of all that their rotations pose.
+//   a posed vertex, times W                                       2,270 bits
+//   of two polytopes: a determinant of three of them              6,820
+//     the same minus a time times another, as a time is a double  7,900
+//   of rounded ones (round_search.hpp): z, a vertex less t v, with |t v| a few times the vertices' size and t a
+//   multiple of 2^-1074, times W                                  3,350
+//     at a vertex (z.z), an edge (|z x e|^2), a face ((z.N)^2)    6,690, 11,220, 15,750
+//     the normal at an edge (z.v times |e|^2 z)                   16,210
+//     a face over two times, N of steps that are as long as z     20,060
+// Combinators that nest rotations can take more. Beyond kLimbs `valid` turns false and stays so. The caller then refuses
+// the case (too_complex) and never guesses.
 //
 // Why this and neither of the others (bench/exact_bench.cpp): docs/reports/costs.md.
 #pragma once
@@ -23,7 +29,7 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace 
 
 class Dyadic {
  public:
-  static constexpr int kLimbs = 192;
+  static constexpr int kLimbs = 320;
 
   // NOLINTNEXTLINE(modernize-use-equals-default): a defaulted one would have Dyadic() clear all limbs
   Dyadic() {}

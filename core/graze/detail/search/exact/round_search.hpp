@@ -155,15 +155,11 @@ class RoundSearch {
   [[nodiscard]] int sign_of_rate() const { return -dot(near_->p(), v_).sign(); }
   // Is the step between two vertices of K along v, or 0?
   [[nodiscard]] bool is_along_motion(const Id& from, const Id& to) {
-    Exact step = difference(to);
-    step.add(difference(from), true);
-    const Dyadic3 across = cross(step.x, v_);
-    for (const Dyadic& one : across) check(one);
-    return is_zero(across);
+    return is_zero(across_motion(from, to));
   }
   // After nearest(t, t) at a contact with w.v = 0: the edge that the path meets first (first_edge()).
   [[nodiscard]] std::array<Vertex, 2> edge_of_graze() {
-    const FaceEdge edge = first_edge(minus(near_->p()));
+    const FaceEdge edge = first_edge(axis_of_graze());
     return {edge.low.name, edge.high.name};
   }
 
@@ -193,7 +189,7 @@ class RoundSearch {
     valid_ = valid_ && x.valid();
     return x.sign();
   }
-  // A power of two above max c.n / n.n, n = v or -v, or 0. `apart`: above that and R / |n|.
+  // A power of two above max c.n / n.n, n = v or -v, or 0: a double. `apart`: above that and R / |n|.
   [[nodiscard]] Dyadic power_beyond(const Dyadic3& n, bool apart) {
     const Exact c = difference({farthest(a_, n), farthest(b_, detail::minus(n)), false});
     const Dyadic far = dot(c.x, n), speed = dot(n, n);
@@ -202,7 +198,7 @@ class RoundSearch {
     if (far.sign() > 0) order = far.order() - (speed * c.weight).order() + 1;
     // |n| >= 2^(half the order of n.n, rounded down). The sum of both is below twice the larger.
     if (apart) order = 1 + std::max(order.value_or(-100000), radius_.order() + 1 - (speed.order() >> 1));
-    return order ? Dyadic(1).times_power_of_two(*order) : Dyadic();
+    return order ? Dyadic(1).times_power_of_two(std::max(*order, -1074)) : Dyadic();
   }
   [[nodiscard]] std::uint32_t farthest(const Body<S>& body, const Dyadic3& n) {
     return exact_farthest(body, n, false, valid_).front();
@@ -321,20 +317,28 @@ class RoundSearch {
   }
   // Computes w at TOI from the nearest feature before it. A radius far below |v| times the spacing of doubles
   // would cancel completely in w at a double's time. The feature's w moves by V = v across the feature, so that |w +
-  // delta V| = R. In units of `below` and W, W delta = c / (-b + root(b^2 - a c)) with a = V.V, b = w.V, c = w.w -
-  // R^2. In a face w keeps its direction.
+  // delta V| = R, or delta = c / (-b + root D) with c = w.w - R^2, b = w.V and D = b^2 - c V.V. In a face w keeps its
+  // direction. In units of W and `below`, with an edge e and V = below v - (v.e) e:
+  //   vertex   c = above - (R W)^2          D = (R W)^2 v.v - |w x v|^2
+  //   edge     c = above - (R W)^2 below    D = ((R W)^2 |v x e|^2 - det(w, v, e)^2) below
+  // In these forms of D the time cancels, and with it half of the bits.
   Dyadic3 normal_at_contact() {
     const Dyadic3 w = minus(near_->p());
     if (near_->corners().size() > 2) return w;
+    const Dyadic reach = radius_ * near_->weight(), square = reach * reach, &below = near_->below();
     Dyadic3 across = v_;
+    Dyadic under;
     if (near_->corners().size() == 2) {
-      const Dyadic3 e = detail::difference(near_->corner(1), near_->corner(0));
-      across = detail::difference(detail::times(near_->below(), v_), detail::times(dot(v_, e), e));
+      const Dyadic3 e = detail::difference(near_->corner(1), near_->corner(0)), level = cross(v_, e);
+      const Dyadic beside = dot(near_->corner(0), level);
+      across = detail::difference(detail::times(below, v_), detail::times(dot(v_, e), e));
+      under = (square * dot(level, level) - beside * beside) * below;
+    } else {
+      const Dyadic3 beside = cross(w, v_);
+      under = square * dot(v_, v_) - dot(beside, beside);
     }
-    const Dyadic reach = radius_ * near_->weight() * near_->below();
-    const Dyadic a = dot(across, across), b = dot(w, across), c = dot(w, w) - reach * reach;
-    const Dyadic root = root_up(b * b - a * c);
-    const Dyadic3 kept = detail::times(root - b, w), moved = detail::times(c, across);
+    const Dyadic root = root_up(under), c = near_->above() - square * below;
+    const Dyadic3 kept = detail::times(root - dot(w, v_), w), moved = detail::times(c, across);
     Dyadic3 out;
     for (std::size_t i = 0; i < 3; ++i) {
       out[i] = kept[i] + moved[i];
@@ -371,16 +375,16 @@ class RoundSearch {
     return *best;
   }
   RoundContact graze() {
-    const Dyadic3 w = minus(near_->p());
     RoundContact out;
-    out.normal = w;
-    if (dot(w, v_).sign() != 0) {
+    if (sign_of_rate() != 0) {
       const double end = as_double(to_);
       out.toi = {end, end};
+      out.normal = separating();
       take_corners(out);
       return out;
     }
-    const auto [low, high] = first_edge(w);
+    out.normal = axis_of_graze();
+    const auto [low, high] = first_edge(out.normal);
     const int side_of_low = low.x.x[1].sign(), side_of_high = high.x.x[1].sign();
     if (side_of_low == 0 || side_of_high == 0) {
       const GrazeCorner& at = side_of_low == 0 ? low : high;
@@ -400,6 +404,24 @@ class RoundSearch {
     check(time.denominator);
     if (valid_) out.toi = bracket_of(time);
     return out;
+  }
+  // The step between two vertices of K, times v.
+  [[nodiscard]] Dyadic3 across_motion(const Id& from, const Id& to) {
+    Exact step = difference(to);
+    step.add(difference(from), true);
+    const Dyadic3 out = cross(step.x, v_);
+    for (const Dyadic& one : out) check(one);
+    return out;
+  }
+  // A positive multiple of w, which is across v and the feature's edges. It is shorter than p.
+  [[nodiscard]] Dyadic3 axis_of_graze() {
+    const auto corners = near_->corners();
+    for (const Id& id : corners.subspan(1)) {
+      const Dyadic3 across = across_motion(corners[0], id);
+      if (!is_zero(across)) return dot(across, near_->p()).sign() < 0 ? across : minus(across);
+    }
+    const Dyadic3 c = difference(corners[0]).x;
+    return detail::difference(detail::times(dot(c, v_), v_), detail::times(dot(v_, v_), c));
   }
   // K's face towards w, in its plane: c.v is a time times v.v, and c.u is 0 on the path. The edge that the path meets
   // first, from c.u <= 0 to c.u >= 0: no point of the face is before its line. An end on the path is the first contact.

@@ -65,18 +65,19 @@ Start start_of(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& counte
   const Frame<S> frame(cso.moves() ? cso.direction() : outward);
   // Seen from behind, the exit is the entry of the mirrored line, at -z. Corners and edges that lie one beneath
   // the other, nearer to the line than rounding can tell, may make the refinement cycle (seen with coordinates
-  // of magnitudes far apart). Then C is moved aside by 6 u scale, and the search begins again.
+  // of magnitudes far apart, and with discs in one plane). Then C is moved aside by 6 u scale, and the search begins
+  // again.
   PortalView<S> view{cso, frame, S(-1), counters};
   PortalSearch<S> exit;
   for (const auto& [x, y] :
        {std::pair(0, 0), std::pair(1, 1), std::pair(-1, 1), std::pair(-1, -1), std::pair(1, -1)}) {
     view.aside_x = S(x) * limits.fine();
     view.aside_y = S(y) * limits.fine();
-    exit = find_portal(view, limits.budget);
+    exit = find_portal(view, limits.budget / 2);
     if (exit.state == State::missed) return Start::leaves;
     if (exit.state == State::entered) {
       refine_portal(view, exit, PortalLimits<S>{-limits.noise, -limits.noise, limits.noise / 2},
-                    limits.budget);
+                    limits.budget / 2);
     }
     if (exit.state != State::exhausted) break;
   }

@@ -63,8 +63,8 @@ Sweep<S> mpr_sweep(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& co
   Sweep<S> out;
   const Frame<S> frame(cso.direction());
   const S z_max = limits.s_max * frame.length;
-  const PortalSearch<S> in =
-      enter_line(cso, frame, z_max, limits.noise / 2, limits.budget, counters, limits.target / 2);
+  const PortalSearch<S> in = enter_line(cso, frame, z_max, limits.noise / 2, limits.budget, counters,
+                                        limits.target / 2, -2 * limits.noise);
   counters.iterations = counters.portal_steps;
   out.n = in.n;
   if (in.state == State::missed || in.state == State::rejected) {

@@ -74,14 +74,14 @@ Clip<S> clip_to_bounds(const Cso<S>& cso, S s_max, Counters& counters) {
 }
 
 // Entry of the line into C, as a bracket of z = s |r|, closed to `gap`, or to `loose_gap` if that leaves no verdict
-// open.
+// open. `accepted`: it is at `early` or before. Where exactly was not asked.
 template <Scalar S>
 PortalSearch<S> enter_line(const Cso<S>& cso, const Frame<S>& frame, S z_max, S gap, int budget,
-                           Counters& counters, S loose_gap = 0) {
+                           Counters& counters, S loose_gap = 0, S early = -kInfinity<S>) {
   const PortalView<S> view{cso, frame, S(1), counters};
   PortalSearch<S> search = find_portal(view, budget);
   if (search.state == PortalSearch<S>::State::entered) {
-    refine_portal(view, search, PortalLimits<S>{-kInfinity<S>, z_max, gap, loose_gap, S(0)}, budget);
+    refine_portal(view, search, PortalLimits<S>{early, z_max, gap, loose_gap, S(0)}, budget);
   }
   return search;
 }
