@@ -120,6 +120,21 @@ TEST(InnerBall, IsInTheShape) {
   }
 }
 
+// On the flat end of a long cylinder or cone, near the axis: the ball nearly fills the shape there, all around.
+TEST(InnerBall, NearTheAxisIsInTheShape) {
+  Draw draw{73};
+  for (int round = 0; round < 2000; ++round) {
+    const double radius = draw.between(0.2, 2), away = radius * std::pow(10.0, draw.between(-16, 0));
+    const SolidCore core{round % 2 ? Kind::cone : Kind::cylinder,
+                         {radius, radius, radius * draw.between(1, 4)}};
+    const double angle = draw.between(0, 6.28);
+    const Touch at{{away * std::cos(angle), away * std::sin(angle), -core.half[2]}, {0, 0, -1}, {0, 0, 0}};
+    const double r = detail::inner_ball(core, at.x, at.n);
+    ASSERT_GT(r, 0) << round;
+    ASSERT_GE(room(core, at, r, draw), -0x1p-46 * core.half.maxCoeff()) << round << " at " << away;
+  }
+}
+
 // A thousandth more, and it is out: where the largest ball touches is among the directions that are looked along.
 TEST(InnerBall, IsTheLargest) {
   Draw draw{72};

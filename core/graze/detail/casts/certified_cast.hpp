@@ -113,7 +113,7 @@ class CertifiedCast {
     }
     // A graze: the portal is farther along the path. The closest points at `lower`.
     Simplex<double> simplex;
-    const Vec3<double> x = s * context_.r;
+    const Vec3<double> x = path_at(s);
     const Distance<double> d = gjk_distance(cso_, x, simplex, width_allowed_ / 64, 0.0, budget_, counters_);
     const Closest<double> closest = closest_to_origin(simplex, x);
     reduce(simplex, closest);
@@ -173,6 +173,9 @@ class CertifiedCast {
 
  private:
   [[nodiscard]] bool is_swept() const { return cso_.moves() && context_.s_max > 0; }
+  [[nodiscard]] Vec3<double> path_at(double s) const {
+    return {fl(s * context_.r[0]), fl(s * context_.r[1]), fl(s * context_.r[2])};
+  }
   // A portal's own rounding, and what its points are drawn in by, is 32 u of the lengths in them.
   [[nodiscard]] double gap() const { return 32 * kUnitRoundoff<double> * cso_.scale(); }
 
@@ -426,7 +429,7 @@ class CertifiedCast {
     proof.toi_lower = lower;
     // If the bodies touch, the search's direction between them may be noise. The best direction is the one along
     // which C extends least beyond the path, among those of points beside it as well.
-    const Vec3<double> x = cso_.to_parameter(lower) * context_.r;
+    const Vec3<double> x = path_at(cso_.to_parameter(lower));
     double least = kInfinity<double>;
     Vec3<double> best = Vec3<double>::Zero();
     const auto try_direction = [&](const Vec3<double>& given) {
@@ -467,7 +470,7 @@ class CertifiedCast {
   }
   [[nodiscard]] Near near(double s) {
     Simplex<double> simplex;
-    const Vec3<double> x = s * context_.r;
+    const Vec3<double> x = path_at(s);
     Distance<double> d = gjk_distance(cso_, x, simplex, width_allowed_ / 64, 0.0, budget_, counters_);
     // GJK stalls at a rim or a line that almost lies in a face: then nearer points, and better axes.
     if (d.stalled && d.upper - d.lower > width_allowed_ / 8 && d.upper - cso_.radius() > width_allowed_ / 8) {

@@ -38,12 +38,11 @@ inline double below_plane(double distance, double facing, double noise) {
   return closing > kInnerBallRounding ? std::max(distance, 0.0) / closing : kInfinity<double>;
 }
 
-// The least r > 0 where a r^2 - 2 b r + c falls below 0. Within `noise` of 0 b is 0. If c, a square of `size`, is as
-// much below 0, the point is not in the shape.
-inline double falls_below(double a, double b, double c, double noise, double size) {
+// The least r > 0 where a r^2 - 2 b r + c falls below 0, `under` being b^2 - a c. Within `noise` of 0 b is 0. If c, a
+// square of `size`, is as much below 0, the point is not in the shape.
+inline double falls_below(double a, double b, double c, double under, double noise, double size) {
   if (!(c >= -noise * size)) return -kInfinity<double>;  // NaN as well
   if (b <= noise && a >= -kInnerBallRounding) return kInfinity<double>;
-  const double under = fl(b * b) - fl(a * c);
   if (under < 0) return kInfinity<double>;
   const double sum = b + square_root(under);
   return sum > 0 ? std::max(c, 0.0) / sum : kInfinity<double>;
@@ -79,8 +78,13 @@ inline double inner_ball(const SolidCore& core, const Vec3<double>& x, const Vec
   const double a = is_cone ? (h[2] - x[2]) * up / across : h[0], k = (1 - fl(n[2] * up)) / across;
   const double out_sq = fl(x[0] * x[0]) + fl(x[1] * x[1]), along = fl(x[0] * n[0]) + fl(x[1] * n[1]),
                flat_sq = fl(n[0] * n[0]) + fl(n[1] * n[1]);
+  // B^2 - A C = |k x - a n|^2 - |x x n|^2 across the axis. A ball about a point near the axis fills the shape there, and
+  // B^2 and A C would cancel.
+  const double u = fl(k * x[0]) - fl(a * n[0]), v = fl(k * x[1]) - fl(a * n[1]),
+               turned = fl(x[0] * n[1]) - fl(x[1] * n[0]),
+               under = (fl(u * u) + fl(v * v)) - fl(turned * turned);
   const double around =
-      falls_below(fl(k * k) - flat_sq, fl(a * k) - along, fl(a * a) - out_sq, noise, 2 * h.maxCoeff());
+      falls_below(fl(k * k) - flat_sq, fl(a * k) - along, fl(a * a) - out_sq, under, noise, 2 * h.maxCoeff());
   const double ends = is_cone ? below_plane(h[2] + x[2], -n[2], noise) : between_planes(2);
   return std::min({around, k > 0 ? a / k : 0.0, ends});
 }
