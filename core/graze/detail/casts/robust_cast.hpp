@@ -1,7 +1,7 @@
 // The robust searches as rungs of the standard tier: they take every shape, and always answer.
 //
 // A robust search takes a ray, or a path without end, clipped to C's bounds, and keeps a quarter of the budget for the
-// start. Its result becomes the cast's in `fill`.
+// start, or to advance from where it stopped. Its result becomes the cast's in `fill`.
 #pragma once
 
 #include <graze/detail/proving/prove.hpp>
