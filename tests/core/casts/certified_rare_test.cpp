@@ -92,7 +92,10 @@ TEST(CertifiedRare, AnUpperEndPastTheFaceIsNoHit) {
                        .orientation = {-2, -1, 2, 3}};
   const auto r = cast_certified(a, b, {.t_max = kInfinity<double>});
   EXPECT_EQ(r.outcome, Outcome::not_converged);
-  EXPECT_NEAR(r.toi_lower, 0.3461914, 1e-7);
+  // The face begins at 709/2048. The cone's radius of curvature is about 18 there: a gap of the width, 1.01e-9, is met
+  // sqrt(2 18 1.01e-9) / |v| = 8.8e-8 before.
+  EXPECT_LE(r.toi_lower, 709.0 / 2048);
+  EXPECT_GT(r.toi_lower, 709.0 / 2048 - 8.8e-8);
   EXPECT_LT(r.distance, 1e-9);
 }
 
@@ -107,7 +110,10 @@ TEST(CertifiedRare, AnOpenAnswerIsWithinTheWidth) {
                                2.5188741823658347),
       .position = {0, 0, -4.384702150709927}};
   const auto r = cast_certified(a, b);
-  EXPECT_NEAR(r.toi_lower, 0.4437099, 1e-7);
+  // The oracle's time. A gap of the width, 4e-11, is met sqrt(2 2.5 4e-11) / |v| = 1.8e-7 before, over the rounding of
+  // radius 2.5, and the search ends nearer.
+  EXPECT_LE(r.toi_lower, 0.44370992234223444);
+  EXPECT_GT(r.toi_lower, 0.44370992234223444 - 1e-8);
   EXPECT_LE(r.distance, 40.08 * kLinearCertifiedWidth);
 }
 

@@ -288,6 +288,7 @@ TEST(ExactRounds, NumbersOfBothEndsOfTheRangeHaveRoom) {
   EXPECT_GT(tally.hits, 5);
   EXPECT_GT(tally.misses, 10);
 }
+
 TEST(ExactRounds, RadiiFarFromTheSizes) {
   const Tally tally = judge_random<double>(3, 60, 100);
   EXPECT_GT(tally.hits, 15);

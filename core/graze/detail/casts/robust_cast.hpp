@@ -74,12 +74,12 @@ template <Scalar S, class Search>
     Counters again;
     SweepLimits<S> rest = limits;
     rest.budget = limits.budget / 4;
-    const Sweep<S> last = sweep.lower > 0 ? conservative_advancement(cso, rest, sweep.lower, sweep.n, again)
-                                          : mpr_overlap(cso, rest, again);
+    const bool got_on = sweep.lower > 0;
+    const Sweep<S> last = got_on ? conservative_advancement(cso, rest, sweep.lower, sweep.n, again)
+                                 : mpr_overlap(cso, rest, again);
     out.counters += again;
-    const bool is_answer = sweep.lower > 0 ? last.outcome != Outcome::not_converged
-                                           : last.outcome == Outcome::initially_overlapping;
-    if (is_answer) sweep = last;
+    if (last.outcome == Outcome::initially_overlapping || (got_on && last.outcome != Outcome::not_converged))
+      sweep = last;
   }
   // A hit within the noise of the start is a start in contact, too.
   const bool at_start =

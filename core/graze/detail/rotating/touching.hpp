@@ -93,19 +93,18 @@ bool meets(const Body<S>& a, const Body<S>& b, S target, const Proof& start, Rot
     corners.add(p);
   }
   const Closest<double> closest = closest_to_origin(corners, Vec3<double>(Vec3<double>::Zero()));
-  // sum l c / sum l, c with weights of their own.
-  exact::Dyadic3 above;
-  Dyadic below(1), all;
+  exact::Exact sum;  // of l c, to be divided by the sum of l
+  Dyadic all;
   for (std::size_t i = 0; i < static_cast<std::size_t>(closest.size); ++i) {
-    const exact::Exact& one = c[closest.index[i]];
+    exact::Exact part = c[closest.index[i]];
     const Dyadic l(closest.lambda[i]);
-    for (std::size_t k = 0; k < 3; ++k) above[k] = above[k] * one.weight + l * one.x[k] * below;
-    below = below * one.weight;
+    part.x = times(l, part.x);
+    sum.add(part, false);
     all = all + l;
     proof.contact[i] = start.portal[closest.index[i]];
     proof.weight[i] = closest.lambda[i];
   }
-  const Dyadic most = reach * below * all, within = most * most - dot(above, above);
+  const Dyadic most = reach * sum.weight * all, within = most * most - dot(sum.x, sum.x);
   if (!(valid && within.valid() && all.sign() > 0 && within.sign() >= 0)) return false;
   proof.toi_upper = 0;
   proof.contact_size = closest.size;
