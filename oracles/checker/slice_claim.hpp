@@ -100,8 +100,10 @@ class SliceClaim {
     for (const auto& [a, b] : {std::pair(true, false), std::pair(false, true), std::pair(true, true)}) {
       if ((a && !motion_.swept_a) || (b && !motion_.swept_b)) continue;
       const auto excess_at = [&, a = a, b = b](const PairInstant& now) {
-        const Ball of_a = a ? motion_.swept_a->reach(motion_.a, n_, now.t) : now.a.support(n_).reach;
-        const Ball of_b = b ? motion_.swept_b->reach(motion_.b, -n_, now.t) : now.b.support(-n_).reach;
+        const Ball of_a =
+            a ? motion_.swept_a->reach(motion_.a, n_, now.t, begin.t, end.t) : now.a.support(n_).reach;
+        const Ball of_b =
+            b ? motion_.swept_b->reach(motion_.b, -n_, now.t, begin.t, end.t) : now.b.support(-n_).reach;
         return -(of_a + of_b) - margin_;
       };
       const Ball bound =

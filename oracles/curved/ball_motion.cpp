@@ -255,23 +255,28 @@ struct Blobs {
 struct Revolution {
   BallVec center, axis;  // axis: of length 1
   Ball around;           // from the centre
+  std::vector<RevolvedPart> parts;
 };
 
 std::optional<Revolution> revolution(const Shape<double>& shape) {
-  const auto along = [](int axis, const Ball& around) {
+  const auto along = [](int axis, const Ball& around, std::vector<RevolvedPart> parts) {
     Vec3<double> a = Vec3<double>::Zero();
     a[axis] = 1;
-    return Revolution{{}, BallVec(a), around};
+    return Revolution{{}, BallVec(a), around, std::move(parts)};
   };
   if (const auto* s = std::get_if<Cylinder<double>>(&shape)) {
-    return along(2, sqrt(Ball(s->radius) * s->radius + Ball(s->half_height) * s->half_height));
+    return along(2, sqrt(Ball(s->radius) * s->radius + Ball(s->half_height) * s->half_height),
+                 {{s->half_height, s->radius, 0}, {-s->half_height, s->radius, 0}});
   }
   if (const auto* s = std::get_if<Cone<double>>(&shape)) {
-    return along(2, sqrt(Ball(s->radius) * s->radius + Ball(s->half_height) * s->half_height));
+    return along(2, sqrt(Ball(s->radius) * s->radius + Ball(s->half_height) * s->half_height),
+                 {{s->half_height, 0, 0}, {-s->half_height, s->radius, 0}});
   }
   if (const auto* s = std::get_if<Ellipsoid<double>>(&shape)) {
     for (int axis = 0; axis < 3; ++axis) {
-      if (s->radii[(axis + 1) % 3] == s->radii[(axis + 2) % 3]) return along(axis, s->radii.maxCoeff());
+      const double across = s->radii[(axis + 1) % 3];
+      if (across == s->radii[(axis + 2) % 3])
+        return along(axis, s->radii.maxCoeff(), {{0, across, s->radii[axis]}});
     }
     return {};
   }
@@ -281,7 +286,7 @@ std::optional<Revolution> revolution(const Shape<double>& shape) {
     if (!inner) return {};
     const BallRotation turn(s->orientation);
     return Revolution{turn.apply(inner->center) + BallVec(s->position), turn.apply(inner->axis),
-                      inner->around};
+                      inner->around, inner->parts};
   }
   return {};
 }
@@ -328,8 +333,15 @@ BallMotion::BallMotion(const Body<double>& body, const corpus::Spin& spin, const
   if (const auto own = revolution(body.shape)) {
     const BallVec axis = orientation.apply(own->axis);
     const BallVec center = orientation.apply(own->center) - arm_;
-    own_ = {true, abs(dot(rotation_, axis)), norm(cross(rotation_, axis)),
-            norm(cross(rotation_, center)) / rate_, own->around};
+    own_ = {true,
+            abs(dot(rotation_, axis)),
+            norm(cross(rotation_, axis)),
+            norm(cross(rotation_, center)) / rate_,
+            own->around,
+            axis,
+            dot(center, axis),
+            norm(cross(center, axis)),
+            own->parts};
   }
 }
 
@@ -388,6 +400,35 @@ Ball BallMotion::second_bound(const BallVec& n) const {
   const Ball most = Ball(0.5) * (own_.tilt + sqrt(own_.tilt * own_.tilt + Ball(4) * own_.spin * own_.spin));
   const Ball tilting = own_.tilt * most * own_.around;
   return min(followed, across * own_.center + norm(n) * tilting);
+}
+
+// c = n.a is between its chord's ends, give or take |n x w| |w x a| (end - begin)^2 / 8, and between those of a
+// whole turn. A part that is wider than long is concave in c. It has its greatest value, of all c, where it has a
+// slope of 0.
+std::optional<Ball> BallMotion::own_reach(const BallVec& n, double begin, double end) const {
+  if (!own_.exists) return {};
+  const Ball h = Ball(end) - Ball(begin), turning = norm(cross(n, rotation_)) * own_.tilt,
+             bulge = Ball(0.125) * turning * h * h, rate_sq = rate_ * rate_;
+  const Ball first = dot(n, at(begin).turn(own_.axis)), last = dot(n, at(end).turn(own_.axis)),
+             middle = dot(n, rotation_) * dot(own_.axis, rotation_) / rate_sq, half = turning / rate_sq;
+  const Ball least = max(min(first, last) - bulge, middle - half).low(),
+             most = min(max(first, last) + bulge, middle + half).high(), square = dot(n, n);
+  std::optional<Ball> reach;
+  for (const RevolvedPart& part : own_.parts) {
+    const Ball z = Ball(part.height) + own_.along, r_sq = Ball(part.radius) * part.radius,
+               l_sq = Ball(part.length) * part.length, k = r_sq - l_sq;
+    const auto value = [&](const Ball& c) {
+      return z * c + sqrt(max(r_sq * (square - c * c), Ball(0)) + l_sq * (c * c));
+    };
+    Ball greatest = max(value(least), value(most));
+    if (part.radius > part.length) {
+      const Ball vertex = z * Ball(part.radius) * norm(n) / sqrt(k * (k + z * z));
+      if (!certainly_less(vertex, least) && !certainly_less(most, vertex))
+        greatest = max(greatest, Ball(part.radius) * norm(n) * sqrt(Ball(1) + z * z / k));
+    }
+    reach = reach ? max(*reach, greatest) : greatest;
+  }
+  return *reach + own_.across * norm(n);
 }
 
 std::optional<CommonTurn> CommonTurn::of(const BallMotion& a, const BallMotion& b) {

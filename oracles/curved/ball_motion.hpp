@@ -20,6 +20,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "corpus/case.hpp"
 #include "oracles/arithmetic/number.hpp"
@@ -35,6 +36,12 @@ struct NamedPoint {
   Ball radius;
   std::size_t curved_parts = 0;  // on the way (a feature holds points for kCurvedParts of them)
   Answer inside = Answer::yes;   // do the feature's curved points lie in their parts, proved?
+};
+
+// A part of a shape of revolution with the centre o and the axis a. Its greatest n.(x - o) is height n.a +
+// sqrt(radius^2 (n.n - (n.a)^2) + length^2 (n.a)^2): a rim or a tip of length 0, or an ellipsoid.
+struct RevolvedPart {
+  double height, radius, length;
 };
 
 class BallMotion {
@@ -101,6 +108,9 @@ class BallMotion {
   // For n fixed in the world, of |(n.(x - t v))'| and of |(n.x)''| over the points x(t).
   [[nodiscard]] Ball first_bound(const BallVec& n) const;
   [[nodiscard]] Ball second_bound(const BallVec& n) const;
+  // For a shape of revolution, n fixed in the world, and all t in [begin, end]: an upper bound of n.(x - c - t v)
+  // over the points x(t) of the core. Nothing for any other shape.
+  [[nodiscard]] std::optional<Ball> own_reach(const BallVec& n, double begin, double end) const;
 
  private:
   struct Naming;
@@ -108,6 +118,10 @@ class BallMotion {
     bool exists = false;
     Ball spin, tilt;      // |w.a|, |w x a|, a a unit vector along the shape's own axis
     Ball center, around;  // distance from the axis of rotation: of the shape's centre, of points from it
+    BallVec axis;         // a at t = 0
+    // The centre from the pivot: along a, and across it.
+    Ball along, across;
+    std::vector<RevolvedPart> parts;
   };
 
   BallBody body_;

@@ -25,12 +25,15 @@ class SweptBody {
     return out;
   }
 
-  // h(n) of all angles, at the time t, with n of any length.
-  [[nodiscard]] Ball reach(const BallMotion& body, const BallVec& n, double t) const {
+  // h(n) of all angles, at the time t, with n of any length. For a shape of revolution, of its angles in [begin, end].
+  [[nodiscard]] Ball reach(const BallMotion& body, const BallVec& n, double t, double begin,
+                           double end) const {
     const Ball along = dot(n, axis_);
     const BallVec pivot = body.pivot() + Ball(t) * body.velocity();
-    return dot(n, pivot) + max(along * body.axis_high(), along * body.axis_low()) +
-           norm(cross(n, axis_)) * body.axis_reach() + norm(n) * body.ball();
+    Ball about =
+        max(along * body.axis_high(), along * body.axis_low()) + norm(cross(n, axis_)) * body.axis_reach();
+    if (const auto own = body.own_reach(n, begin, end)) about = min(about, *own);
+    return dot(n, pivot) + about + norm(n) * body.ball();
   }
 
  private:

@@ -53,9 +53,9 @@ LawResult interrupting(const Case& problem, const Method& method) {
   const Answer full = method.ask(seen, {});
   LawResult result = holds({label_of(full.outcome)});
   if (full.outcome == Outcome::not_converged) return result;
-  // The least part of the default, 256, that one stage of a search has: three quarters twice (casts/ladder.hpp). The full
-  // answer may have used it up.
-  constexpr int kLeastPart = 144;
+  // The least part of the default, 256, that one stage of a search has: a third of three quarters, or a quarter
+  // (casts/robust_cast.hpp). The full answer may have used it up.
+  constexpr int kLeastPart = 64;
   if (const Answer more = method.ask(seen, {.max_iterations = 4096});
       full.counters.supports < kLeastPart && !is_same_answer(full, more)) {
     return broken(fmt::format("a budget larger than needed changes the answer: {}; against {}",

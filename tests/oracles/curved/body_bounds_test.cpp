@@ -2,6 +2,8 @@
 // computes (ball_body.hpp), in balls, so that no tolerance is needed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "oracles/curved/ball_motion.hpp"
 #include "oracles/curved/whole_turns.hpp"
 #include "tests/oracles/curved/any_body.hpp"
@@ -56,7 +58,7 @@ TEST(BodyBounds, NoAngleLeavesWhatAWholeTurnSweeps) {
     const BallVec n(any.make.vector(1));
     Ball most;
     const double t = any.make.random.uniform(0, 2);
-    const Ball all = swept->reach(motion, n, t) - dot(n, motion.pivot() + Ball(t) * motion.velocity());
+    const Ball all = swept->reach(motion, n, t, 0, 2) - dot(n, motion.pivot() + Ball(t) * motion.velocity());
     // The same angles at any time: the pivot's way is taken out.
     for (int k = 0; k < 12; ++k) {
       const Ball at = any.make.random.uniform(0, 2);
@@ -70,6 +72,42 @@ TEST(BodyBounds, NoAngleLeavesWhatAWholeTurnSweeps) {
   }
   EXPECT_GT(near, kBodies / 20);         // it gives away what a cylinder is more than the body,
   EXPECT_GT(beyond_core, kBodies / 20);  // and without the ball it would be wrong
+}
+
+// Over any span. A wheel that spins about its own axis hardly changes, whatever its points do.
+TEST(BodyBounds, NoTimeOfASpanLeavesTheReachOfASolidOfRevolution) {
+  AnyBody any(15);
+  int spans = 0;
+  std::vector<double> tight;
+  for (int i = 0; i < 2 * kBodies; ++i) {
+    MovingBody moving = any.body(i % 2);
+    const Vec3<double> own = BallRotation(moving.body.orientation).mid_double().col(2);
+    if (i % 4 == 0) {
+      moving.body.shape = i % 3 == 0   ? Shape<double>(Cylinder<double>{1, 0.5})
+                          : i % 3 == 1 ? Shape<double>(Cone<double>{1, 0.5})
+                                       : Shape<double>(Ellipsoid<double>{{1, 1, 0.5}});
+      moving.spin.pivot = Vec(0, 0, any.make.number(1));
+      moving.spin.rotation = 50 * own + any.make.vector(1e-4);
+    }
+    const BallMotion motion(moving.body, moving.spin);
+    const double begin = any.make.random.uniform(0, 1), end = any.make.random.uniform(begin, 2);
+    const BallVec n = i % 8 == 0 ? BallVec(Vec(own.cross(any.make.vector(1)))) : BallVec(any.make.vector(1));
+    const std::optional<Ball> reach = motion.own_reach(n, begin, end);
+    if (!reach) continue;
+    ++spans;
+    Ball least(kInfinity<double>);
+    for (int k = 0; k <= 16; ++k) {
+      const Ball t = Ball(begin) + Ball(k / 16.0) * (Ball(end) - Ball(begin));
+      const Ball one = motion.support(n, t).reach - dot(n, motion.pivot() + t * motion.velocity()) -
+                       norm(n) * motion.ball();
+      expect_at_most(one, *reach, "reach", i);
+      least = min(least, *reach - one);
+    }
+    if (i % 8 == 0) tight.push_back(least.mid_double());
+  }
+  std::sort(tight.begin(), tight.end());
+  EXPECT_GT(spans, kBodies / 2);
+  EXPECT_LT(tight[tight.size() / 2], 1e-10);
 }
 
 // A ball is one whatever it is called.
@@ -90,8 +128,8 @@ TEST(BodyBounds, ABallByAnyNameSweepsTheSame) {
     const BallMotion motion(body, {Vec(0, 0, 7), Vec(-5, 0, 3)});
     EXPECT_EQ(motion.ball().mid_double(), 2);
     EXPECT_NEAR(motion.axis_reach().mid_double(), 5, 1e-30);
-    EXPECT_NEAR(SweptBody::of(motion)->reach(motion, BallVec(Vec(0, 1, 0)), 0).mid_double(), 7, 1e-30);
-    EXPECT_NEAR(SweptBody::of(motion)->reach(motion, BallVec(Vec(0, 0, 1)), 0).mid_double(), 2, 1e-30);
+    EXPECT_NEAR(SweptBody::of(motion)->reach(motion, BallVec(Vec(0, 1, 0)), 0, 0, 1).mid_double(), 7, 1e-30);
+    EXPECT_NEAR(SweptBody::of(motion)->reach(motion, BallVec(Vec(0, 0, 1)), 0, 0, 1).mid_double(), 2, 1e-30);
     // From the pivot, at (-5, 0, 3).
     EXPECT_NEAR(motion.pivot_reach().mid_double(), std::sqrt(34), 1e-15);
   }

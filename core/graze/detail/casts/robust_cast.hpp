@@ -133,9 +133,10 @@ bool robust_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& 
           // MPR cycles at the level of rounding, or is slow, as between rims that are nearly aligned: GJK is tried from
           // where it got.
           Counters again;
+          part.budget = limits.budget - part.budget;
           const bool got_on = sweep.lower > clip.enter;
           sweep =
-              gjk_ray_cast(cso, limits, got_on ? sweep.lower : clip.enter, got_on ? sweep.n : clip.n, again);
+              gjk_ray_cast(cso, part, got_on ? sweep.lower : clip.enter, got_on ? sweep.n : clip.n, again);
           counters += again;
         }
         return sweep;

@@ -132,15 +132,16 @@ class FastClosest {
   std::array<double, 4> lambda_{};
 };
 
+// The accepted error of the distance, as a fraction of its excess over near_enough. The estimate of the time until
+// contact needs no more: a slice that is a sixteenth shorter costs less than the steps to the last digit on smooth
+// shapes.
+inline constexpr double kNearestPart = 1.0 / 16;
+
 // The distance of the origin from the core of a placed pair. The arguments are those of gjk_distance. False: it gave
 // up, and the simplex is of no further use.
 inline bool fast_distance(const Cso<double>& cso, Simplex<double>& simplex, double gap, double near_enough,
                           int budget, Distance<double>& out, Counters& counters) {
   constexpr int kSteps = 24;  // a longer search is not a common case
-  // The accepted error of the distance, as a fraction of its excess over near_enough. The estimate of the time until
-  // contact needs no more: a slice that is a sixteenth shorter costs less than the steps to the last digit on smooth
-  // shapes.
-  constexpr double kPart = 1.0 / 16;
   if (simplex.size == 0) {
     simplex.add(cso.support(Vec3<double>(-cso.middle())));
     ++counters.supports;
@@ -179,7 +180,7 @@ inline bool fast_distance(const Cso<double>& cso, Simplex<double>& simplex, doub
       out.lower = lower;
       out.n = n;
     }
-    if (out.upper - out.lower <= std::max(gap, kPart * (out.lower - near_enough))) return true;
+    if (out.upper - out.lower <= std::max(gap, kNearestPart * (out.lower - near_enough))) return true;
     if (simplex.holds(next)) return false;
     simplex.add(next);
   }

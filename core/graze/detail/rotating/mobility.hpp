@@ -23,6 +23,7 @@
 
 #include <graze/detail/numeric/sine_cosine.hpp>
 #include <graze/detail/pairs/side.hpp>
+#include <graze/detail/rotating/profile.hpp>
 #include <graze/rotating_body.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
@@ -68,6 +69,7 @@ struct Mobility {
   double own_rate = 0;        // |a.w|
   double center_rho = 0;      // |c_perp|
   double revolved_reach = 0;  // r
+  Profile profile;            // if the pivot is on its own axis
 
   [[nodiscard]] bool turns() const { return rate > 0; }
   // |n x w|
@@ -102,6 +104,18 @@ struct Mobility {
     return revolves ? std::min(plain, fl(rate * rate * center_rho) +
                                           fl(tilt_rate * (tilt_rate + own_rate) * revolved_reach))
                     : plain;
+  }
+  // The most that a solid with a profile reaches along n in a span h of t, with its own axis at both ends given, entries
+  // within u.
+  [[nodiscard]] double profile_reach(const Vec3<double>& n, const Vec3<double>& a_0, const Vec3<double>& a_1,
+                                     double h) const {
+    constexpr double u = kUnitRoundoff<double>;
+    const double c_0 = dot(n, a_0), c_1 = dot(n, a_1), turned = fl(across(n) * tilt_rate),
+                 bulge = turned * h * h / 8, middle = dot(n, w) / rate * (dot(a_0, w) / rate),
+                 half = turned / (rate * rate) + 64 * u * (turned / (rate * rate) + std::abs(middle));
+    const double least = std::max(std::min(c_0, c_1) - bulge, middle - half) - 8 * u,
+                 most = std::min(std::max(c_0, c_1) + bulge, middle + half) + 8 * u;
+    return profile.reach(std::max(least, -1.0), std::min(most, 1.0));
   }
   [[nodiscard]] double top_speed() const {
     if (!turns()) return 0;
@@ -241,6 +255,26 @@ inline double reach_at_rest(const Bounds& bounds, double beyond, const Vec3<doub
   return (norm(most) + middle.lost + beyond) * (1 + kMobilityRounding * kUnitRoundoff<double>);
 }
 
+// The most that the core reaches from its pivot along n at any angle of its rotation, by the circles of its outer points
+// about the axis of rotation. It is within 26 u of the reach, of which swept_error() covers what the slack does not.
+template <Scalar S>
+double reach_at_all_angles(const RotatingBody<S>& moving, const Mobility& body, const Vec3<double>& pivot,
+                           double unit, const Mat3<double>& turn, const Vec3<double>& n) {
+  constexpr double noise = kMobilityRounding * kUnitRoundoff<double>, raise = 1 + noise;
+  const Shape<S>& shape = unwrapped<S>(moving.body.shape);
+  const Bounds bounds = detail::bounds(shape);
+  const Vec3<double> axis = graze::unit(body.w);
+  const double beyond = beyond_bounds<S>(shape, bounds), along = dot(n, axis), across = norm(cross(n, axis));
+  double most = -kInfinity<double>;
+  for_each_outer_point(shape, bounds, [&](const Vec3<double>& base, const Vec3<double>& rest) {
+    const Arm own(base, rest, pivot);
+    const Vec3<double> arm = turn * own.x;
+    const double slack = fl(noise * norm_1(own.x)) + fl(own.lost * raise) + beyond;
+    most = std::max(most, fl(along * dot(axis, arm)) + fl(across * norm(cross(axis, arm))) + slack);
+  });
+  return unit * most;
+}
+
 // unit: the internal length of one world length. `bounds` are those of the unwrapped shape. pivot: the centre of
 // rotation, or any point for a body that does not rotate. turn: the rotation of a body's orientation, entries within
 // 0.6 u. It is not read for a body that does not rotate.
@@ -297,6 +331,7 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
     out.center_rho = foot == zero ? 0.0 : unit * (norm(cross(axis, turn * foot)) + fl(noise * norm_1(foot)));
     const Vec3<double> most = bounds.half + bounds.middle.cwiseAbs() + bounds.center.cwiseAbs();
     out.revolved_reach = unit * hypotenuse(most[(own + 1) % 3], most[own] + std::abs(pivot[own])) * raise;
+    if (foot == zero) out.profile = profile_of<S>(shape, own, pivot[own], unit);
   }
   return out;
 }

@@ -34,6 +34,9 @@ struct TurningSide {
   Mobility mobility;
   double swing = 0;            // |w x (c_B - c_A)| at t = 0
   double across_velocity = 0;  // |w x v|
+  // The body as given, and reach_at_all_angles() of its scalar.
+  const void* given = nullptr;
+  double (*reach)(const TurningSide& side, double unit, const Vec3<double>& n) = nullptr;
 
   struct Placed {
     Mat3<double> rotation = Mat3<double>::Identity();
@@ -174,6 +177,19 @@ class MovingPair {
     return frame == AxisFrame::world
                ? n
                : Vec3<double>((frame == AxisFrame::a ? now().rotation_a : now().rotation_b).transpose() * n);
+  }
+  // The most that a rotating body's core reaches from its pivot along n in [t_0, t_1]: by a whole turn, or the profile
+  // of a solid of revolution. Leaves the bodies at t_1.
+  [[nodiscard]] double reach(AxisFrame body, const Vec3<double>& n, double t_0, double t_1) {
+    const TurningSide& side = body == AxisFrame::a ? a_ : b_;
+    const Profile& profile = side.mobility.profile;
+    if (profile.size == 0) return side.reach(side, power_of_two(-cso_.length_exponent()), n);
+    const auto axis_at = [&](double t) {
+      place(t);
+      return Vec3<double>((body == AxisFrame::a ? now().rotation_a : now().rotation_b).col(profile.axis));
+    };
+    const Vec3<double> a_0 = axis_at(t_0);
+    return side.mobility.profile_reach(n, a_0, axis_at(t_1), t_1 - t_0);
   }
   // The axis in world axes at t = 0.
   [[nodiscard]] Vec3<double> to_start(AxisFrame frame, const Vec3<double>& own) const {
@@ -349,6 +365,11 @@ class MovingPair {
     out.has_arm = side.center != out.pivot;
     if (out.has_arm) out.arm = scaled_by(posed(out.start, side.center) + -posed(out.start, out.pivot), unit);
     out.mobility = mobility(given, out.pivot, bounds, unit, out.start_rotation);
+    out.given = &given;
+    out.reach = [](const TurningSide& own, double length, const Vec3<double>& n) {
+      return reach_at_all_angles(*static_cast<const RotatingBody<S>*>(own.given), own.mobility, own.pivot,
+                                 length, own.start_rotation, n);
+    };
   }
 
   Cso<double> cso_;

@@ -46,19 +46,19 @@ inline Nearest nearest(const MovingPair& pair, const Simplex<double>& before, do
   const double R = pair.radius(), error = pair.error();
   const auto support = [&](const Vec3<double>& n) { return cso.support(n); };
   const double close_enough = std::max(stop / 16, expected / 16);
-  const auto search = [&] {
-    return gjk_distance(support, Vec3<double>(Vec3<double>::Zero()), Vec3<double>(-cso.middle()), out.simplex,
-                        close_enough, R, budget, counters);
-  };
   Distance<double> d;
+  const auto search = [&](double loose) {
+    return gjk_distance(support, Vec3<double>(Vec3<double>::Zero()), Vec3<double>(-cso.middle()), out.simplex,
+                        close_enough, R, budget, counters, loose);
+  };
   if (!fast_distance(cso, out.simplex, close_enough, R, budget, d, counters)) {
     out.simplex = carried_over(pair, before);
-    d = search();
+    d = search(kNearestPart * std::max(d.lower - R, 0.0));
   }
   // A simplex that was closest at another time may be a sliver now, which leads nowhere.
   if (d.stalled && d.upper - d.lower > std::max(stop / 4, expected / 4) && before.size > 0) {
     out.simplex = {};
-    d = search();
+    d = search(0);
   }
   if (d.stalled && d.upper - d.lower > stop / 4 && d.upper > R) {
     SweepLimits<double> limits;

@@ -16,6 +16,8 @@
 //                  No single axis serves both ends there. The proof format cannot express such an axis.
 //
 // The bilateral search tries these candidates for t_1, in this order:
+//   0. After many slices, along the axis of now, with the most that a rotating body reaches (whole_turns.hpp). A wheel
+//      that rolls keeps its gap for long, although its points bend.
 //   1. A little before the root of the distance itself, by the secant of its last two values, with the axis
 //      found there. Where a face rotates, an old axis covers part of the way only and the new one all of it.
 //   2. Along the old axis, to the extent that M allows or towards the first root of s, by the secant. It uses
@@ -99,6 +101,7 @@ class SliceSearch {
     Slice out;
     const double rest = limits_.end - now.t, safe = conservative(now, out);
     if (limits_.advance == Advance::conservative || safe >= rest) return out;
+    if (by_reach(now, safe, out)) return out;
     if (towards_contact(now, before, safe, out)) return out;
     // If a face rotates, an axis that rotates with it may prove much more than the steadiest one.
     const std::array<Frame, 3> all = frames(now.near.n);
@@ -134,8 +137,10 @@ class SliceSearch {
     const Frame steadiest = frames(n)[0];
     place(t);
     if (above({t, pair_.to_own(steadiest.of, n), 0, steadiest, {}})) return true;
-    const WholeTurns whole = swept_in(rest, 0);
-    return whole.any() && above({t, n, 0, still(whole, n), whole});
+    const WholeTurns whole = reaching(rest);
+    if (!whole.any()) return false;
+    const auto [first, last] = gaps_between(pair_, whole, n, t, limits_.end, counters_);
+    return proves(rest, first - least, last - least, still(whole, n).bend_root);
   }
 
   // The speed at which the closest points approach each other: the derivative of the distance while the features
@@ -252,17 +257,24 @@ class SliceSearch {
     if (!(guess.slope < kInfinity<double>)) return false;
     // This limit holds for every axis, and also if the gap at the end is almost 0.
     const double root = frames(now.near.n)[0].bend_root, most = square_root(gap) / root * kTowards;
+    // A body that comes to rest against the other, as onto the edge of a tile, has slices that are all the same part of
+    // the time until contact. The first try is a little longer than the last success. The third and the fourth are worth
+    // it only far beyond what costs nothing.
+    constexpr int kTries = 4;
+    constexpr double kGrows = 1.5;
     double last = kInfinity<double>, longest = kInfinity<double>;
-    for (const double left : {wished(gap, before), gap / 8}) {
-      const double due_in = guess.at(gap - left), h = std::min({due_in, most, rest, longest});
+    for (int tried = 0; tried < kTries; ++tried) {
+      const double due_in = guess.at(gap - (tried == 0 ? wished(gap, before) : gap / 8)),
+                   due_or_most = std::min({due_in, most, rest}), h = std::min(part_ * due_or_most, longest);
       // A body that spins on before contact is due is left to the cylinder that it sweeps.
       if (due_in > most && spins(rest)) return false;
-      if (!(h > safe && h < last)) return false;
+      if (!(h > (tried < 2 ? 1 : kWorthTrying) * safe && h < last)) return false;
       last = h;
       const double end = h >= rest ? limits_.end : not_after(now.t, h);
       pair_.place(end);
       Nearest there = nearest(pair_, now.near.simplex, 0, limits_.stop, limits_.budget, counters_);
       if (!(there.gap > 0)) continue;
+      part_ = std::min(kGrows * h / due_or_most, 1.0);
       if (between_axes(now, end, there, out)) return true;
       const std::array<Frame, 3> all = frames(there.n);
       std::array<Vec3<double>, 3> owns;
@@ -409,22 +421,53 @@ class SliceSearch {
 
   static constexpr int kManySlices = 12;
   // Does a body have more than a turn left?
-  static constexpr double kTurn = 6.3;
+  static constexpr double kTurn = 6.3, kCorner = 0.5;
   [[nodiscard]] bool spins(double rest) const {
     return std::max(pair_.mobility_a().rate, pair_.mobility_b().rate) * rest > kTurn;
   }
-  // The bodies to replace by their swept cylinder. Such a body spins by more than a turn in the rest of the step, and
-  // a slice covers a small part of that. After many slices a corner's rotation is enough, for a wheel whose every
+  [[nodiscard]] double much_turning() const { return slices_ > kManySlices ? kCorner : kTurn; }
+  // The bodies to replace by their swept cylinder, if a slice covers a small part of the rest of the step. Such a body
+  // spins by more than a turn in that rest. After many slices a corner's rotation is enough, for a wheel whose every
   // corner passes nearby.
   [[nodiscard]] WholeTurns swept_in(double rest, double slice) const {
-    constexpr double kCorner = 0.5, kLittle = 2;
-    const double much = slices_ > kManySlices ? kCorner : kTurn;
-    const auto spins = [&](const Mobility& m) { return m.rate * rest > much && m.rate * slice < kLittle; };
+    if (!(slice * kWorthTrying < rest)) return {false, false};
+    const auto spins = [&](const Mobility& m) { return m.rate * rest > much_turning(); };
     return {limits_.may_sweep.a && spins(pair_.mobility_a()),
             limits_.may_sweep.b && spins(pair_.mobility_b())};
   }
   [[nodiscard]] Frame still(const WholeTurns& whole, const Vec3<double>& n) const {
     return {AxisFrame::world, square_root(swept_bend(pair_, whole, n) / 2 * (1 + 0x1p-40))};
+  }
+  // The bodies whose greatest reach over a span of time tells more than their points' bends: solids of revolution, and
+  // those that spin as above.
+  [[nodiscard]] WholeTurns reaching(double rest) const {
+    const auto reaches = [&](const Mobility& m) {
+      return m.profile.size > 0 ? m.turns() : m.rate * rest > much_turning();
+    };
+    return {limits_.may_sweep.a && reaches(pair_.mobility_a()),
+            limits_.may_sweep.b && reaches(pair_.mobility_b())};
+  }
+  // Used after many slices: a wheel that rolls, a ball that spins, along the axis that they have.
+  bool by_reach(const Seen& now, double safe, Slice& out) {
+    const double rest = limits_.end - now.t;
+    const WholeTurns whole = reaching(rest);
+    if (!whole.any() || slices_ <= 2 * kManySlices || reaches_.waits()) return false;
+    const Vec3<double> n = now.near.n;
+    const double root = still(whole, n).bend_root;
+    double h = rest;
+    constexpr int kTries = 4;
+    for (int i = 0; i < kTries && h > kWorthTrying * safe; ++i, h /= 16) {
+      const double end = h >= rest ? limits_.end : not_after(now.t, h);
+      const auto [first, last] = gaps_between(pair_, whole, n, now.t, end, counters_);
+      if (!proves(end - now.t, first, last, root)) continue;
+      out = {};
+      out.end = end;
+      out.axis = n;
+      reaches_.succeed();
+      return true;
+    }
+    reaches_.fail();
+    return false;
   }
   // The cylinder is seldom clear if it was not clear a moment ago.
   void by_whole_turns(const Seen& now, Slice& out) {
@@ -432,14 +475,19 @@ class SliceSearch {
     const WholeTurns whole = swept_in(limits_.end - now.t, h);
     if (!whole.any() || turns_.waits()) return;
     pair_.place(now.t);
-    Simplex<double> simplex;
-    const auto support = [&](const Vec3<double>& n) { return swept_support(pair_, whole, n); };
-    const Distance<double> d = gjk_distance(support, Vec3<double>(Vec3<double>::Zero()), now.near.n, simplex,
-                                            now.near.gap / 16, pair_.radius(), limits_.budget, counters_);
-    const double gap = d.n == Vec3<double>::Zero() ? 0.0 : swept_gap(pair_, whole, d.n, counters_);
     Slice swept;
     swept.end = now.t;
-    if (gap > 0) along_axis(Along{now.t, d.n, gap, still(whole, d.n), whole}, h, swept);
+    Vec3<double> n = now.near.n;
+    double gap = swept_gap(pair_, whole, n, counters_);
+    if (!(gap > 0)) {
+      Simplex<double> simplex;
+      const auto support = [&](const Vec3<double>& d) { return swept_support(pair_, whole, d); };
+      n = gjk_distance(support, Vec3<double>(Vec3<double>::Zero()), n, simplex, now.near.gap / 16,
+                       pair_.radius(), limits_.budget, counters_)
+              .n;
+      if (n != Vec3<double>::Zero()) gap = swept_gap(pair_, whole, n, counters_);
+    }
+    if (gap > 0) along_axis(Along{now.t, n, gap, still(whole, n), whole}, h, swept);
     if (swept.end > out.end) {
       swept.expected = 0;  // the gap is the cylinder's, not that of the body in it
       out = swept;
@@ -457,7 +505,8 @@ class SliceSearch {
   Vec3<double> frames_of_ = Vec3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
   std::array<Frame, 3> frames_;
   int slices_ = 0;
-  Patience arcs_, turns_;  // of by_arc(), by_whole_turns()
+  double part_ = 1;                  // of the time until contact, which towards_contact() tries first
+  Patience arcs_, turns_, reaches_;  // of by_arc(), by_whole_turns(), by_reach()
 };
 
 }}}  // namespace graze::GRAZE_LINKAGE::detail

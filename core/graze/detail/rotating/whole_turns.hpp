@@ -5,6 +5,9 @@
 // radius rho between the heights low and high along w from the pivot (mobility.hpp). Its support point along n is
 // exact up to 16 u of its size. Along a fixed n it has no acceleration. The length of a slice is therefore limited
 // only by the other body's rotation and the bodies' translation.
+//
+// If n is known, less than the cylinder suffices: the most that the body reaches along n. That is by the circles of its
+// outer points, or for a solid of revolution by its profile (profile.hpp), within a span of time.
 #pragma once
 
 #include <graze/detail/rotating/moving_pair.hpp>
@@ -68,6 +71,29 @@ inline double swept_gap(const MovingPair& pair, const WholeTurns& whole, const V
 inline double swept_bend(const MovingPair& pair, const WholeTurns& whole, const Vec3<double>& n) {
   return (whole.a ? 0.0 : pair.mobility_a().acceleration(n)) +
          (whole.b ? 0.0 : pair.mobility_b().acceleration(n));
+}
+
+// The gaps along n at both ends of [t_0, t_1], with the most that these bodies reach in between. If no other body
+// rotates, no gap in between is below their chord. Leaves the bodies at t_1.
+inline std::pair<double, double> gaps_between(MovingPair& pair, const WholeTurns& whole,
+                                              const Vec3<double>& n, double t_0, double t_1,
+                                              Counters& counters) {
+  const Vec3<double> d_b = -n;
+  double reach = pair.radius();
+  if (whole.a) reach += pair.reach(AxisFrame::a, n, t_0, t_1);
+  if (whole.b) reach += pair.reach(AxisFrame::b, d_b, t_0, t_1);
+  const auto gap_at = [&](double t) {
+    if (pair.time() != t) pair.place(t);
+    ++counters.supports;
+    const auto &a = pair.cso().side_a(), &b = pair.cso().side_b();
+    Vec3<double> apart = pair.pivot_b_now();
+    if (!whole.a) apart -= pair.center_a() + a.to_world(a.support(a, a.to_own(n), nullptr).x);
+    if (!whole.b)
+      apart += pair.center_b() - pair.pivot_b_now() + b.to_world(b.support(b, b.to_own(d_b), nullptr).x);
+    return dot(n, apart) - reach - swept_error(pair);
+  };
+  const double first = gap_at(t_0);
+  return {first, gap_at(t_1)};
 }
 
 }}}  // namespace graze::GRAZE_LINKAGE::detail
