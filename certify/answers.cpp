@@ -127,9 +127,9 @@ std::uint64_t digest_of_case(const Suite& suite, std::size_t i, const Case& prob
     digest.add(method.ask(*asked, {.request = request}));
   }
   // A judgement reads one fact about the work: whether it exceeds the guarantee.
-  if (method.guarantee != nullptr && method.guarantee->most_supports) {
+  if (const std::optional<double> most = law::most_supports(method, *asked)) {
     const int supports = method.ask(*asked, {.request = engine::kPlain}).counters.supports;
-    digest.add(supports > *method.guarantee->most_supports);
+    digest.add(supports > *most);
   }
   return std::max<std::uint64_t>(1, digest.value());
 }

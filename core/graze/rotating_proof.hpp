@@ -17,8 +17,8 @@
 /// - k >= 4, and four points hold the origin strictly inside their hull. They are c_0, c_1, c_2, and c_3, or for k >
 ///   4 the mean of c_3 .. c_(k-1) by their weights. (The middle of an octahedron needs all six corners, a point below
 ///   its tip five.) For four pairs no weights are read.
-/// - toi_upper = 0, where nothing has rotated and all is exact: the hull of k <= 4 points, grown by m, holds the
-///   origin, boundary included.
+/// - toi_upper = 0, where nothing has rotated and all is exact: the hull of k <= 4 points, grown by m, or by the balls
+///   about vertices of the cores as well, holds the origin, boundary included. No weights are read.
 /// - A crossing, for a flat A - B, which holds nothing strictly inside: three pairs, and a time contact_from. Seen
 ///   along some direction, the triangle of the c_i has the origin inside at every t in [contact_from, toi_upper]. The
 ///   origin is on one side of the triangle at the beginning, and on the other at the end.

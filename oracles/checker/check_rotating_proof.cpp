@@ -82,7 +82,7 @@ class Claims {
 
  private:
   // At t = 0 nothing has turned yet, and the hull of the named points holds the origin or does not, exactly,
-  // its boundary included.
+  // its boundary included. So does the hull of points of the cores with the balls about them.
   [[nodiscard]] bool holds_at_start() const {
     if (proof_.toi_upper != 0 || proof_.crossing || proof_.contact_size > 4) return false;
     corpus::Case start = problem_;
@@ -91,6 +91,8 @@ class Claims {
     portal.toi_upper = 0;
     portal.portal_size = proof_.contact_size;
     std::copy_n(proof_.contact.begin(), portal.portal.size(), portal.portal.begin());
+    if (check_proof(start, portal).accepted()) return true;
+    portal.of_cores = true;
     return check_proof(start, portal).accepted();
   }
 

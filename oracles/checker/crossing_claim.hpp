@@ -12,7 +12,9 @@
 // condition on n is that it is one vector all the time.
 //
 // The checker takes for n the normal of the triangle in the middle of the time, rounded, and shows the signs
-// of the W_k with balls for t that cover the whole of it.
+// of the W_k with balls that hold the c_k at all times of a piece. Of bodies on long arms that rotate almost as
+// one, these come from the points' relative velocity in its middle, and a bound of their accelerations: with
+// h half of the piece, c(t) is within h^2 / 2 (|w_A|^2 |x_A| + |w_B|^2 |x_B|) of c + (t - t_mid) c'.
 //
 // For the oracles' own .cpp files (it includes Arb).
 #pragma once
@@ -66,6 +68,24 @@ class CrossingClaim {
       c[i] = a.turn(pairs_.a[i].from_pivot) - b.turn(pairs_.b[i].from_pivot) + between;
     return c;
   }
+  // The places at all times from begin to end, exact balls.
+  [[nodiscard]] Triangle3 triangle_over(const Ball& begin, const Ball& end) const {
+    const Ball middle = middle_of(begin, end), half = max(end - middle, middle - begin).high(),
+               way = hull_of(-half, half);
+    const BallMotion::Pose a = motion_.a.at(middle), b = motion_.b.at(middle);
+    const BallVec &w_a = motion_.a.rotation(), &w_b = motion_.b.rotation();
+    const BallVec between = apart_ + middle * velocity_;
+    Triangle3 c;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const BallVec x = a.turn(pairs_.a[i].from_pivot), y = b.turn(pairs_.b[i].from_pivot);
+      const BallVec speed = cross(w_a, x) - cross(w_b, y) + velocity_;
+      const Ball bend =
+                     (Ball(0.5) * half * half * (dot(w_a, w_a) * norm(x) + dot(w_b, w_b) * norm(y))).high(),
+                 about = hull_of(-bend, bend);
+      c[i] = x - y + between + way * speed + BallVec{about, about, about};
+    }
+    return c;
+  }
   [[nodiscard]] static Ball middle_of(const Ball& begin, const Ball& end) {
     return (Ball(0.5) * (begin + end)).mid();
   }
@@ -96,7 +116,7 @@ class CrossingClaim {
       const Answer now = holds_line(n, triangle(middle));
       if (now == Answer::no) return {.finding = ContactFinding::beside, .at = middle.mid_double()};
       if (now == Answer::unknown) return {.finding = ContactFinding::open};
-      if (holds_line(n, triangle(hull_of(begin, end))) == Answer::yes) continue;
+      if (holds_line(n, triangle_over(begin, end)) == Answer::yes) continue;
       if (++pieces > kMostPieces)
         return {.finding = ContactFinding::too_many_pieces, .at = middle.mid_double()};
       open.push_back({middle, end});

@@ -81,8 +81,12 @@ void judge_followed(Judgement& judgement, const RotatingTruth& truth, const Case
       return;
     case Outcome::not_converged: {
       deeper_before(answer.toi_lower, judgement.late, "toi_lower is late");
+      // A tie that is open is at toi_lower: bodies that were apart meet again there, or nearly.
       const oracle::Enclosure deep = truth.depth_before(problem.t_max);
-      judgement.stalled = deep.low > std::max(d, limits.wide) || deep.high <= least;
+      const double t = answer.toi_lower;
+      const bool meet_again = t > 0 && t < problem.t_max && comes_apart(truth, t, least) &&
+                              truth.distance_at(t).low <= std::max(limits.wide, least);
+      judgement.stalled = deep.low > std::max(d, limits.wide) || (deep.high <= least && !meet_again);
       judgement.within_tolerance = !judgement.stalled;
       return;
     }

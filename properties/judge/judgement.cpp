@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "corpus/support_value.hpp"
 #include "engines/guarantees.hpp"
@@ -41,16 +43,24 @@ bool lies_far_out_in_its_frame(const Shape<double>& shape) {
 
 }  // namespace
 
+std::optional<double> most_supports(const engine::Method& method, const corpus::Case& problem) {
+  if (method.guarantee == nullptr || !method.guarantee->most_supports) return {};
+  const double most = *method.guarantee->most_supports;
+  if (method.kind != engine::Kind::rotating) return most;
+  const double angle =
+      problem.t_max * std::max(problem.spin_a.rotation.norm(), problem.spin_b.rotation.norm());
+  const double quarters = std::ceil(angle / (std::numbers::pi / 2)) - 1;
+  const bool follows = problem.start_policy == StartPolicy::pass_over;
+  return most * ((follows ? kFollowing : 1) + std::max(quarters, 0.0) / 2);
+}
+
 void judge_work(Judgement& judgement, const engine::Method& method, const corpus::Case& problem,
                 const Counters& counters) {
   judgement.supports = counters.supports;
-  if (judgement.skipped || method.guarantee == nullptr || !method.guarantee->most_supports) return;
-  const bool follows =
-      method.kind == engine::Kind::rotating && problem.start_policy == StartPolicy::pass_over;
-  const int most = *method.guarantee->most_supports * (follows ? kFollowing : 1);
-  if (counters.supports <= most) return;
+  const std::optional<double> most = most_supports(method, problem);
+  if (judgement.skipped || !most || counters.supports <= *most) return;
   if (lies_far_out_in_its_frame(problem.a.shape) || lies_far_out_in_its_frame(problem.b.shape)) return;
-  judgement.work = fmt::format("{} support evaluations; the guarantee is {}", counters.supports, most);
+  judgement.work = fmt::format("{} support evaluations; the guarantee is {:.0f}", counters.supports, *most);
 }
 
 double over(double length, double scale) {

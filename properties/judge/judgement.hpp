@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -98,9 +99,12 @@ inline void add_fault(std::string& fault, std::string why) {
 // The reason why an answer to a cast makes no sense, whatever the case. Empty for a sensible one.
 [[nodiscard]] std::string senseless(const engine::Answer& answer, double t_max);
 
-// Compares the supports with the method's guarantee: Judgement::supports and Judgement::work. A rotating cast under
-// pass_over may take kFollowing times as many: it follows the contact of the start before it searches.
+// The most support evaluations that the method's guarantee allows for a case. A rotating cast under pass_over may take
+// kFollowing times as many: it follows the contact of the start before it searches. For each further quarter turn that
+// the faster body begins, it may take half as many more.
 inline constexpr int kFollowing = 2;
+[[nodiscard]] std::optional<double> most_supports(const engine::Method& method, const corpus::Case& problem);
+// Compares the supports with it: Judgement::supports and Judgement::work.
 void judge_work(Judgement& judgement, const engine::Method& method, const corpus::Case& problem,
                 const Counters& counters);
 

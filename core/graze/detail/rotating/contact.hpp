@@ -74,8 +74,9 @@ inline double depth_inside(const std::array<Vec3<double>, 4>& w) {
 
 // A tetrahedron of support points that holds the origin, made deeper: the support beyond the face that the
 // origin is nearest to takes the place of the corner for which it holds deepest. Until the depth exceeds e, C
-// is no deeper there, or no corner's place is better. Gives the depth.
-inline double deepen(const Cso<double>& cso, Simplex<double>& four, double e, Counters& counters) {
+// is no deeper there, or no corner's place is better. Gives the depth. `beyond`: the last support.
+inline double deepen(const Cso<double>& cso, Simplex<double>& four, double e, Counters& counters,
+                     CsoPoint<double>& beyond) {
   constexpr int kSteps = 24;
   const auto depth_of = [](const Simplex<double>& s) {
     return depth_inside({s.point[0].w, s.point[1].w, s.point[2].w, s.point[3].w});
@@ -95,7 +96,7 @@ inline double deepen(const Cso<double>& cso, Simplex<double>& four, double e, Co
     }
     if (out == Vec3<double>::Zero()) return best;
     ++counters.supports;
-    const CsoPoint<double> beyond = cso.support(out);
+    beyond = cso.support(out);
     if (!(dot(out, beyond.w) > e)) return best;
     const Simplex<double> before = four;
     const double depth = best;
@@ -256,8 +257,15 @@ inline bool hold_by_portals(const Cso<double>& cso, const Vec3<double>& n, doubl
     if (held > e) return true;
     most = std::max(most, held);
   }
+  // Below the middle of a box's side, each four corners have a face through the diagonal. The fifth corner is beyond it.
+  if (most > 0) {
+    CsoPoint<double> beyond;
+    if (deepen(cso, found.pairs, e, counters, beyond) > e) return true;
+    const auto& p = found.pairs.point;
+    corner = {p[0], p[1], p[2], p[3], beyond, beyond};
+  }
   // If four points hold it only within the rounding, they hold it better a little later.
-  if (any && most == 0 && surround_by_mean(corner, found) > e) return true;
+  if (any && surround_by_mean(corner, found) > e) return true;
   found.means = 0;
   return false;
 }
@@ -275,12 +283,13 @@ inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint
                               const Simplex<double>& known, int budget, Counters& counters,
                               double least = 0) {
   Contact out;
+  CsoPoint<double> beyond;
   const Cso<double>& cso = pair.cso();
   const double e = contact_error(pair) + least, R = pair.radius();
   const Vec3<double> zero = Vec3<double>::Zero();
   if (known.size == 4) {
     out.pairs = known;
-    out.proved = deepen(cso, out.pairs, e, counters) > e;
+    out.proved = deepen(cso, out.pairs, e, counters, beyond) > e;
     out.unweighed = true;
     if (out.proved) return out;
     out.unweighed = false;
@@ -296,7 +305,7 @@ inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint
   if (out.proved || d.lower - R > e) return out;
   if (simplex.size == 3 && d.upper == 0) add_above(cso, out.pairs, counters);
   if (simplex.size == 2 && d.upper == 0) add_around(cso, out.pairs, counters);
-  if (out.pairs.size == 4) out.proved = deepen(cso, out.pairs, e, counters) > e;
+  if (out.pairs.size == 4) out.proved = deepen(cso, out.pairs, e, counters, beyond) > e;
   const Vec3<double> n = n_hint == zero ? Vec3<double>(Vec3<double>::UnitZ()) : graze::unit(n_hint);
   if (!out.proved) {
     // Along any axis the origin is no deeper than C reaches.

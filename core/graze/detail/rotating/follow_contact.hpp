@@ -48,7 +48,7 @@ class ContactFollower {
     now_.near = look({});
     if (now_.near.gap > 0 && now_.near.apart > limits_.touching) return out_;
     now_.n = now_.near.n;
-    now_.s = deepest_axis(now_.n);
+    now_.s = deepest_axis(now_.n, now_.near.simplex);
     if (!(now_.s >= -followed())) return deep_start();
     double h = limits_.end;
     while (now_.t < limits_.end) {
@@ -56,7 +56,8 @@ class ContactFollower {
       const std::optional<double> passed = advance(h);
       if (!passed) return out_;
       if (now_.near.gap > limits_.apart) return result(Followed::State::separated);
-      h = kFaster * *passed;
+      if (*passed < h / 2) faster_.fail();
+      h = (faster_.waits() ? kAsFast : kFaster) * *passed;
     }
     return result(Followed::State::ended);
   }
@@ -65,8 +66,8 @@ class ContactFollower {
   // Fractions of the allowed depth: for following a contact, for the proof that it got deeper, for the depth that the
   // search for that time aims at, and for the largest depth allowed by then.
   static constexpr double kFollowed = 0.5, kProved = 0.25, kSought = 0.7, kDeepest = 0.95;
-  // A slice is tried for this many times the last one that was passed.
-  static constexpr double kFaster = 16;
+  // A slice is tried for this many times the last one that was passed: the lesser after slices that were cut short.
+  static constexpr double kFaster = 16, kAsFast = 0.95;
 
   struct At {
     double t = 0;
@@ -86,10 +87,32 @@ class ContactFollower {
   }
 
   // Along n or another axis, which then takes its place: the greatest gap that is found.
-  double deepest_axis(Vec3<double>& n) {
+  double deepest_axis(Vec3<double>& n, const Simplex<double>& closest) {
     double best = -kInfinity<double>;
+    const auto take = [&](const Vec3<double>& other) {
+      const double s = pair_.gap(other, counters_);
+      if (!(s > best)) return;
+      best = s;
+      n = other;
+    };
     if (n != Vec3<double>::Zero()) best = pair_.gap(n, counters_);
     if (best >= -followed() / 2) return best;
+    // The origin in a triangle, or on an edge, of a flat C.
+    if (closest.size == 2 || closest.size == 3) {
+      const Vec3<double> w = closest.point[0].w, along = closest.point[1].w - w;
+      Vec3<double> third = closest.point[2].w;
+      if (closest.size == 2 && along != Vec3<double>::Zero()) {
+        const Frame<double> about(graze::unit(along));
+        ++counters_.supports;
+        third = pair_.cso().support(graze::unit(Vec3<double>(about.e1 + 0.5 * about.e2))).w;
+      }
+      const Vec3<double> m = face_normal(w, closest.point[1].w, third);
+      if (m != Vec3<double>::Zero()) {
+        take(graze::unit(m));
+        take(Vec3<double>(-graze::unit(m)));
+      }
+      if (best >= -followed() / 2) return best;
+    }
     if (pair_.radius() > 0) {
       // The search ended when the balls about the cores met. If the cores are apart, their own axis is the best.
       Simplex<double> simplex;
@@ -209,7 +232,7 @@ class ContactFollower {
       out.n = out.near.n;
       out.s = out.near.gap;
     } else {
-      out.s = deepest_axis(out.n);
+      out.s = deepest_axis(out.n, out.near.simplex);
     }
     return out;
   }
@@ -252,6 +275,8 @@ class ContactFollower {
     Slope best;
     between(there, best);
     if (best.low >= -followed()) return best;
+    by_reach(there, best);
+    if (best.low >= -followed()) return best;
     along(there.n, there.t, there, best);
     if (best.low < -followed()) along(now_.n, now_.t, there, best);
     return best;
@@ -272,6 +297,18 @@ class ContactFollower {
       take(one, best);
       if (best.low >= -followed()) return;
     }
+  }
+  // A solid of revolution that rolls reaches hardly farther in between (whole_turns.hpp). If the other body rotates, too,
+  // its points bend.
+  void by_reach(const At& there, Slope& best) {
+    const auto rolls = [](const Mobility& m) { return m.turns() && m.profile.size > 0; };
+    const WholeTurns whole{rolls(pair_.mobility_a()), rolls(pair_.mobility_b())};
+    if (!whole.any()) return;
+    const double h = there.t - now_.t;
+    const auto [first, last] = gaps_between(pair_, whole, there.n, now_.t, there.t, counters_);
+    Slope one = least_of(first, last, swept_bend(pair_, whole, there.n) * h * h / 8 * (1 + 0x1p-40));
+    one.k = std::max(one.k, (now_.s + there.s) / 2 - one.low);
+    take(one, best);
   }
   [[nodiscard]] bool stands_still(AxisFrame frame) const {
     return (frame == AxisFrame::a && !pair_.mobility_a().turns()) ||
@@ -312,6 +349,7 @@ class ContactFollower {
   struct Deep {
     double t = kInfinity<double>, s = 0;
   } deep_, deeper_;
+  Patience faster_;
   Followed out_;
 };
 

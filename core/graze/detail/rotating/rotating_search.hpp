@@ -405,11 +405,8 @@ class RotatingCast {
     if (start.outcome != Outcome::initially_overlapping) return false;
     if (!wants_proof()) return true;
     if (!start.proof || !(start.proof->toi_upper == 0)) return false;
-    if (start.proof->of_cores) {
-      // What doubles cannot weigh is contact without a proof.
-      if (!meets(a_.body, b_.body, options.target_distance, *start.proof, proof)) proof = {};
-      return true;
-    }
+    if (start.proof->portal_size == 0)
+      return true;  // of curved shapes that touch: decided, and nothing to name
     proof.toi_upper = 0;
     proof.contact_size = start.proof->portal_size;
     std::copy(start.proof->portal.begin(), start.proof->portal.end(), proof.contact.begin());

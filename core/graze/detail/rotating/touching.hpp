@@ -1,8 +1,7 @@
 // Proves contact at t = 0 if the origin is on the boundary of C, so that no ball about it lies in C.
 //
 // At t = 0 no body has rotated yet, so a named point (proving/named_point.hpp) is an exact number. It is decided
-// exactly whether the hull of up to four of them holds the origin, its boundary included. For cores with balls about
-// them, it is decided exactly whether a point of that hull is within the balls' reach.
+// exactly whether the hull of up to four of them holds the origin, its boundary included.
 #pragma once
 
 #include <algorithm>
@@ -73,41 +72,6 @@ bool touches(const MovingPair& pair, const Body<S>& a, const Body<S>& b, const S
   proof.toi_upper = 0;
   proof.contact_size = closest.size;
   std::copy(closest.lambda.begin(), closest.lambda.end(), proof.weight.begin());
-  return true;
-}
-
-// Turns a proof of the linear tier about the cores' vertices at t = 0 into one of contact then: their point that is nearest
-// to the origin, as doubles weigh it, is within the balls and `target`. False if it is not.
-template <Scalar S>
-bool meets(const Body<S>& a, const Body<S>& b, S target, const Proof& start, RotatingProof& proof) {
-  using exact::Dyadic;
-  bool valid = true;
-  const Dyadic reach = exact_ball<S>(a.shape, valid) + exact_ball<S>(b.shape, valid) + Dyadic(double(target));
-  std::array<exact::Exact, 4> c;
-  Simplex<double> corners;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(start.portal_size); ++i) {
-    c[i] = exact_point(a, start.portal[i].a);
-    c[i].add(exact_point(b, start.portal[i].b), true);
-    CsoPoint<double> p;
-    for (int k = 0; k < 3; ++k) p.w[k] = near_ratio(c[i].x[static_cast<std::size_t>(k)], c[i].weight);
-    corners.add(p);
-  }
-  const Closest<double> closest = closest_to_origin(corners, Vec3<double>(Vec3<double>::Zero()));
-  exact::Exact sum;  // of l c, to be divided by the sum of l
-  Dyadic all;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(closest.size); ++i) {
-    exact::Exact part = c[closest.index[i]];
-    const Dyadic l(closest.lambda[i]);
-    part.x = times(l, part.x);
-    sum.add(part, false);
-    all = all + l;
-    proof.contact[i] = start.portal[closest.index[i]];
-    proof.weight[i] = closest.lambda[i];
-  }
-  const Dyadic most = reach * sum.weight * all, within = most * most - dot(sum.x, sum.x);
-  if (!(valid && within.valid() && all.sign() > 0 && within.sign() >= 0)) return false;
-  proof.toi_upper = 0;
-  proof.contact_size = closest.size;
   return true;
 }
 
