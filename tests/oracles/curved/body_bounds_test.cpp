@@ -2,6 +2,7 @@
 // computes (ball_body.hpp), in balls, so that no tolerance is needed.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "oracles/curved/ball_motion.hpp"

@@ -7,8 +7,8 @@
 // - a slice is passed if an axis shows that the bodies are no deeper than d / 2 on all of it.
 // - the contact got deeper if it is proved deeper than d / 4, and an axis shows no more than d since the last slice.
 //
-// Over a slice a gap is bounded by the chord of its ends and the bend of the points (slice.hpp), or by the arc of the
-// axis (arc.hpp).
+// Over a slice a gap is bounded by the chord of its ends and the bend of the points (slice.hpp), by the supports about
+// the middle of the slice (support_bend.hpp), or by what a solid of revolution reaches (whole_turns.hpp).
 #pragma once
 
 #include <graze/detail/rotating/march.hpp>
@@ -56,8 +56,7 @@ class ContactFollower {
       const std::optional<double> passed = advance(h);
       if (!passed) return out_;
       if (now_.near.gap > limits_.apart) return result(Followed::State::separated);
-      if (*passed < h / 2) faster_.fail();
-      h = (faster_.waits() ? kAsFast : kFaster) * *passed;
+      h = (as_long_-- > 0 ? 1 : kFaster) * *passed;
     }
     return result(Followed::State::ended);
   }
@@ -66,8 +65,10 @@ class ContactFollower {
   // Fractions of the allowed depth: for following a contact, for the proof that it got deeper, for the depth that the
   // search for that time aims at, and for the largest depth allowed by then.
   static constexpr double kFollowed = 0.5, kProved = 0.25, kSought = 0.7, kDeepest = 0.95;
-  // A slice is tried for this many times the last one that was passed: the lesser after slices that were cut short.
-  static constexpr double kFaster = 16, kAsFast = 0.95;
+  // A slice is tried for this many times the last one that was passed.
+  static constexpr double kFaster = 16;
+  // So many slices after one that its bound cut short are tried as long as that one.
+  static constexpr int kAsLong = 3;
 
   struct At {
     double t = 0;
@@ -119,8 +120,8 @@ class ContactFollower {
       const Distance<double> d = gjk_distance(pair_.cso(), Vec3<double>(Vec3<double>::Zero()), simplex,
                                               pair_.error(), 0.0, limits_.budget, counters_);
       if (d.lower > pair_.error()) {
-        n = d.n;
-        return pair_.gap(n, counters_);
+        take(d.n);
+        return best;
       }
     }
     // The face where C is left along an axis is no deeper than the way to it, so the face's own normal is a better axis.
@@ -200,8 +201,9 @@ class ContactFollower {
         h = towards_deep();
         if (straight < tried / 2) h = std::max(h, straight);
       } else {
+        as_long_ = kAsLong;
         const double end = square_root(std::max(there.s + followed(), 0.0));
-        h = tried * std::clamp(0.9 * (room + end) / (2 * square_root(slope.k)), 0x1p-20, 0.5);
+        h = tried * std::clamp(0.9 * (room + end) / (2 * square_root(slope.k)), 0x1p-6, 0.5);
       }
     }
   }
@@ -281,8 +283,7 @@ class ContactFollower {
     if (best.low < -followed()) along(now_.n, now_.t, there, best);
     return best;
   }
-  // Uses an axis that moves evenly in the axes of the world or of a body, from the known axes at both ends. No
-  // support evaluations. In between it is shorter than 1, and the bodies are deeper along its unit vector by that
+  // Uses an axis that moves evenly in the axes of the world or of a body, from the known axes at both ends. In between it is shorter than 1, and the bodies are deeper along its unit vector by that
   // factor.
   void between(const At& there, Slope& best) {
     const double h = there.t - now_.t;
@@ -292,11 +293,26 @@ class ContactFollower {
       const double shortest_sq = 1 - change * change / 4, error = pair_.frame_error(frame);
       if (!(shortest_sq > 0.25)) continue;
       const double bend = pair_.bend_between(frame, now_.n, now_.t, there.n, there.t, limits_.end);
-      Slope one = least_of(now_.s - error, there.s - error, bend * h * h / 8 * (1 + 0x1p-40));
-      if (one.low < 0) one.low *= (1 + 8 * kUnitRoundoff<double>) / square_root(shortest_sq);
-      take(one, best);
+      const auto take_k = [&](double k) {
+        Slope one = least_of(now_.s - error, there.s - error, k);
+        if (one.low < 0) one.low *= (1 + 8 * kUnitRoundoff<double>) / square_root(shortest_sq);
+        take(one, best);
+      };
+      take_k(bend * h * h / 8 * (1 + 0x1p-40));
+      if (best.low >= -followed()) return;
+      if (are_followed(now_.s, there.s)) take_k(bend_by_supports(frame, now_.n, there.n, there));
       if (best.low >= -followed()) return;
     }
+  }
+  // No bound helps an axis along which an end is deeper.
+  [[nodiscard]] bool are_followed(double s_0, double s_1) const {
+    return std::min(s_0, s_1) >= -std::max(limits_.allowed, limits_.width);
+  }
+  double bend_by_supports(AxisFrame frame, const Vec3<double>& n_0, const Vec3<double>& n_1,
+                          const At& there) {
+    place(now_.t);
+    const Vec3<double> contact = closest_on_b(pair_, now_.near.simplex);
+    return bend_of_supports(pair_, frame, n_0, now_.t, n_1, there.t, contact, counters_);
   }
   // A solid of revolution that rolls reaches hardly farther in between (whole_turns.hpp). If the other body rotates, too,
   // its points bend.
@@ -324,16 +340,17 @@ class ContactFollower {
       if (stands_still(frame)) continue;
       place(stands);
       const Vec3<double> own = pair_.to_own(frame, n);
-      const auto gap_at = [&](double t) {
+      const auto along_at = [&](double t) {
         place(t);
-        return pair_.gap(pair_.to_world(frame, own), counters_) - pair_.frame_error(frame);
+        return pair_.to_world(frame, own);
       };
-      const double s_0 = gap_at(now_.t), s_1 = gap_at(there.t);
+      const Vec3<double> n_0 = along_at(now_.t);
+      const double s_0 = pair_.gap(n_0, counters_) - pair_.frame_error(frame);
+      const Vec3<double> n_1 = along_at(there.t);
+      const double s_1 = pair_.gap(n_1, counters_) - pair_.frame_error(frame);
       take(least_of(s_0, s_1, bends[i] * h * h / 8 * (1 + 0x1p-40)), best);
       if (best.low >= -followed()) return;
-      // No bound helps an axis along which an end is deeper.
-      if (std::min(s_0, s_1) >= -std::max(limits_.allowed, limits_.width))
-        take(least_of(s_0, s_1, bend_of_arc(pair_, frame, own, now_.t, there.t, counters_)), best);
+      if (are_followed(s_0, s_1)) take(least_of(s_0, s_1, bend_by_supports(frame, n_0, n_1, there)), best);
       if (best.low >= -followed()) return;
     }
   }
@@ -349,7 +366,7 @@ class ContactFollower {
   struct Deep {
     double t = kInfinity<double>, s = 0;
   } deep_, deeper_;
-  Patience faster_;
+  int as_long_ = 0;
   Followed out_;
 };
 

@@ -36,6 +36,18 @@ inline Simplex<double> carried_over(const MovingPair& pair, const Simplex<double
   return out;
 }
 
+// The closest point on B, from A's pivot, as the pair is placed.
+inline Vec3<double> closest_on_b(const MovingPair& pair, const Simplex<double>& closest) {
+  const auto& side_b = pair.cso().side_b();
+  Vec3<double> b = Vec3<double>::Zero();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(closest.size); ++i) {
+    const CsoPoint<double>& p = closest.point[i];
+    const Vec3<double> d_b = -p.n;
+    b += closest.lambda[i] * side_b.support(side_b, side_b.to_own(d_b), &p.vertex_b).x;
+  }
+  return side_b.to_world(b) + pair.center_b();
+}
+
 // `before`: the closest points at some other time, or empty. `expected`: a known lower bound of the gap. A larger
 // bound allows a rougher search. `stop`: the gap at which the search may stop.
 inline Nearest nearest(const MovingPair& pair, const Simplex<double>& before, double expected, double stop,

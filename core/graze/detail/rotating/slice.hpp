@@ -22,13 +22,14 @@
 //      found there. Where a face rotates, an old axis covers part of the way only and the new one all of it.
 //   2. Along the old axis, to the extent that M allows or towards the first root of s, by the secant. It uses
 //      the frame in which points bend least, or another frame.
-//   3. As 2., with the cylinder that a body sweeps in a whole turn (whole_turns.hpp).
+//   3. Along an axis that moves, and after many slices with the bound of support_bend.hpp.
+//   4. As 2., with the cylinder that a body sweeps in a whole turn (whole_turns.hpp).
 // If no candidate can be proved, the slice is a conservative one. The root finders only propose times, so a root
 // finder that does not converge costs speed, not correctness.
 #pragma once
 
-#include <graze/detail/rotating/arc.hpp>
 #include <graze/detail/rotating/nearest.hpp>
+#include <graze/detail/rotating/support_bend.hpp>
 #include <graze/detail/rotating/whole_turns.hpp>
 #include <optional>
 
@@ -114,7 +115,7 @@ class SliceSearch {
       along_axis(Along{now.t, own, now.near.gap - pair_.frame_error(frame.of), frame, {}}, longest, out);
     }
     by_two_axes(now, out);
-    by_arc(now, out);
+    by_supports(now, out);
     by_whole_turns(now, out);
     return out;
   }
@@ -147,18 +148,11 @@ class SliceSearch {
   // stay. An estimate.
   double approach(const Seen& now) {
     place(now.t);
-    const Cso<double>& cso = pair_.cso();
-    const auto& side_b = cso.side_b();
     const Simplex<double>& closest = now.near.simplex;
-    Vec3<double> b = Vec3<double>::Zero(), apart = Vec3<double>::Zero();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(closest.size); ++i) {
-      const CsoPoint<double>& p = closest.point[i];
-      const Vec3<double> d_b = -p.n;
-      b += closest.lambda[i] * side_b.support(side_b, side_b.to_own(d_b), &p.vertex_b).x;
-      apart += closest.lambda[i] * p.w;
-    }
-    b = side_b.to_world(b) + pair_.center_b();
-    const Vec3<double> a = b + apart;  // relative to A's pivot
+    Vec3<double> apart = Vec3<double>::Zero();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(closest.size); ++i)
+      apart += closest.lambda[i] * closest.point[i].w;
+    const Vec3<double> b = closest_on_b(pair_, closest), a = b + apart;
     const Vec3<double> faster = pair_.velocity() + cross(pair_.mobility_b().w, b - pair_.pivot_b_now()) -
                                 cross(pair_.mobility_a().w, a);
     return -dot(now.near.n, faster);
@@ -330,30 +324,30 @@ class SliceSearch {
 
   // Used after many slices. A body that tips about its lowest point has distant points that bend, and yet keeps its
   // distance. The proof format cannot express this bound.
-  void by_arc(const Seen& now, Slice& out) {
-    if (records_ || slices_ <= kManySlices || arcs_.waits()) return;
+  void by_supports(const Seen& now, Slice& out) {
+    if (records_ || slices_ <= kManySlices || supports_.waits()) return;
     const double rest = limits_.end - now.t;
-    constexpr int kTries = 3;
+    place(now.t);
+    const Vec3<double> contact = closest_on_b(pair_, now.near.simplex);
+    constexpr int kTries = 6;
     double h = rest;
     for (int i = 0; i < kTries && h > kWorthTrying * (out.end - now.t); ++i, h /= 8) {
       const double end = h >= rest ? limits_.end : not_after(now.t, h);
+      pair_.place(end);
+      const Nearest there = nearest(pair_, now.near.simplex, 0, limits_.stop, limits_.budget, counters_);
+      if (!(there.gap > 0)) continue;
       for (const AxisFrame frame : {AxisFrame::world, AxisFrame::a, AxisFrame::b}) {
-        place(now.t);
-        const Vec3<double> own = pair_.to_own(frame, now.near.n);
-        const double k = bend_of_arc(pair_, frame, own, now.t, end, counters_);
-        if (!(k < kInfinity<double>)) continue;
-        pair_.place(end);
-        const double error = pair_.frame_error(frame), s_0 = now.near.gap - error,
-                     s_1 = pair_.gap(pair_.to_world(frame, own), counters_) - error;
-        if (!proves(1, s_0, s_1, 2 * square_root(k))) continue;
+        const double error = pair_.frame_error(frame),
+                     k = bend_of_supports(pair_, frame, now.near.n, now.t, there.n, end, contact, counters_);
+        if (!proves(1, now.near.gap - error, there.gap - error, 2 * square_root(k))) continue;
         out = {};
         out.end = end;
-        out.expected = s_1;
-        arcs_.succeed();
+        out.there = there;
+        supports_.succeed();
         return;
       }
     }
-    arcs_.fail();
+    supports_.fail();
   }
 
   // The setting of a search along one axis: the gap at t, the frame in which the axis is held fixed, and the bodies
@@ -505,8 +499,8 @@ class SliceSearch {
   Vec3<double> frames_of_ = Vec3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
   std::array<Frame, 3> frames_;
   int slices_ = 0;
-  double part_ = 1;                  // of the time until contact, which towards_contact() tries first
-  Patience arcs_, turns_, reaches_;  // of by_arc(), by_whole_turns(), by_reach()
+  double part_ = 1;                      // of the time until contact, which towards_contact() tries first
+  Patience supports_, turns_, reaches_;  // of by_supports(), by_whole_turns(), by_reach()
 };
 
 }}}  // namespace graze::GRAZE_LINKAGE::detail
