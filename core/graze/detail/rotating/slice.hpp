@@ -102,7 +102,8 @@ class SliceSearch {
     Slice out;
     const double rest = limits_.end - now.t, safe = conservative(now, out);
     if (limits_.advance == Advance::conservative || safe >= rest) return out;
-    if (by_reach(now, safe, out)) return out;
+    hovered_ = keeps_its_gap(now, before) ? hovered_ + 1 : 0;
+    if (slices_ > kManySlices && hovered_ > 0 && by_reach(now, safe, out)) return out;
     if (towards_contact(now, before, safe, out)) return out;
     // If a face rotates, an axis that rotates with it may prove much more than the steadiest one.
     const std::array<Frame, 3> all = frames(now.near.n);
@@ -115,7 +116,7 @@ class SliceSearch {
       along_axis(Along{now.t, own, now.near.gap - pair_.frame_error(frame.of), frame, {}}, longest, out);
     }
     by_two_axes(now, out);
-    by_supports(now, out);
+    if (slices_ > kManySlices && hovered_ > 2) by_supports(now, out);
     by_whole_turns(now, out);
     return out;
   }
@@ -322,14 +323,14 @@ class SliceSearch {
     }
   }
 
-  // Used after many slices. A body that tips about its lowest point has distant points that bend, and yet keeps its
-  // distance. The proof format cannot express this bound.
+  // A body that tips about its lowest point has distant points that bend, and yet keeps its distance. The proof format
+  // cannot express this bound.
   void by_supports(const Seen& now, Slice& out) {
-    if (records_ || slices_ <= kManySlices || supports_.waits()) return;
+    if (records_ || supports_.waits()) return;
     const double rest = limits_.end - now.t;
     place(now.t);
     const Vec3<double> contact = closest_on_b(pair_, now.near.simplex);
-    constexpr int kTries = 6;
+    constexpr int kTries = 4;
     double h = rest;
     for (int i = 0; i < kTries && h > kWorthTrying * (out.end - now.t); ++i, h /= 8) {
       const double end = h >= rest ? limits_.end : not_after(now.t, h);
@@ -414,6 +415,10 @@ class SliceSearch {
   }
 
   static constexpr int kManySlices = 12;
+  // Is the gap about as large as a slice ago? If so for some slices, bounds for bodies that hover are tried.
+  [[nodiscard]] static bool keeps_its_gap(const Seen& now, const std::optional<Seen>& before) {
+    return before && now.near.gap < 2 * before->near.gap && before->near.gap < 2 * now.near.gap;
+  }
   // Does a body have more than a turn left?
   static constexpr double kTurn = 6.3, kCorner = 0.5;
   [[nodiscard]] bool spins(double rest) const {
@@ -441,11 +446,11 @@ class SliceSearch {
     return {limits_.may_sweep.a && reaches(pair_.mobility_a()),
             limits_.may_sweep.b && reaches(pair_.mobility_b())};
   }
-  // Used after many slices: a wheel that rolls, a ball that spins, along the axis that they have.
+  // For a wheel that rolls, or a ball that spins, along the axis that they have.
   bool by_reach(const Seen& now, double safe, Slice& out) {
     const double rest = limits_.end - now.t;
     const WholeTurns whole = reaching(rest);
-    if (!whole.any() || slices_ <= 2 * kManySlices || reaches_.waits()) return false;
+    if (!whole.any() || reaches_.waits()) return false;
     const Vec3<double> n = now.near.n;
     const double root = still(whole, n).bend_root;
     double h = rest;
@@ -498,7 +503,7 @@ class SliceSearch {
   double speed_in_a_, speed_in_b_;
   Vec3<double> frames_of_ = Vec3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
   std::array<Frame, 3> frames_;
-  int slices_ = 0;
+  int slices_ = 0, hovered_ = 0;
   double part_ = 1;                      // of the time until contact, which towards_contact() tries first
   Patience supports_, turns_, reaches_;  // of by_supports(), by_whole_turns(), by_reach()
 };
