@@ -139,7 +139,7 @@ constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
 
 void campaign(benchmark::State& state) {
   tool::CampaignPlan plan(1);
-  plan.add({&family_of(state)}, {&method()}, kMost, 0);
+  plan.add({&family_of(state)}, {&method()}, kMost, {});
   run_blocks(state, plan, 1000);
 }
 
@@ -151,7 +151,7 @@ const Family& rotating_family(benchmark::State& state) {
 
 void turning(benchmark::State& state) {
   tool::CampaignPlan plan(1);
-  plan.add({&rotating_family(state)}, tool::chosen_contenders(engine::Kind::rotating, {}), kMost, 0);
+  plan.add({&rotating_family(state)}, tool::chosen_contenders(engine::Kind::rotating, {}), kMost, {});
   run_blocks(state, plan, 64);
 }
 

@@ -96,8 +96,8 @@ TEST(SupportBendBounds, NoGapAlongAMovingAxisIsFartherBelowItsChord) {
       }
     }
   }
-  std::printf("bound | bend_of_supports, below the chord | %d | %d | hinges %d | less than points %d\n",
-              count, wrong, hinges, less_than_points);
+  std::printf("bend_of_supports: %d axes, %d of hinges, %d of these with less than the points' bound\n",
+              count, hinges, less_than_points);
   EXPECT_EQ(wrong, 0) << failures;
   EXPECT_GE(count, rounds(1500));
   EXPECT_GE(less_than_points, hinges / 10);

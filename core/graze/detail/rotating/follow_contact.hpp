@@ -7,11 +7,13 @@
 // - a slice is passed if an axis shows that the bodies are no deeper than d / 2 on all of it.
 // - the contact got deeper if it is proved deeper than d / 4, and an axis shows no more than d since the last slice.
 //
-// Over a slice a gap is bounded by the chord of its ends and the bend of the points (slice.hpp), by the supports about
-// the middle of the slice (support_bend.hpp), or by what a solid of revolution reaches (whole_turns.hpp).
+// Over a slice a gap is bounded by the chord of its ends and the bend of the points (slice.hpp), by the arc of an axis
+// (arc.hpp), by the supports about the middle of the slice (support_bend.hpp), or by what a solid of revolution reaches
+// (whole_turns.hpp).
 #pragma once
 
 #include <graze/detail/rotating/march.hpp>
+#include <graze/detail/rotating/support_bend.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
@@ -283,8 +285,8 @@ class ContactFollower {
     if (best.low < -followed()) along(now_.n, now_.t, there, best);
     return best;
   }
-  // Uses an axis that moves evenly in the axes of the world or of a body, from the known axes at both ends. In between it is shorter than 1, and the bodies are deeper along its unit vector by that
-  // factor.
+  // Uses an axis that moves evenly in the axes of the world or of a body, from the known axes at both ends. In between it
+  // is shorter than 1, and the bodies are deeper along its unit vector by that factor.
   void between(const At& there, Slope& best) {
     const double h = there.t - now_.t;
     for (const AxisFrame frame : {AxisFrame::world, AxisFrame::a, AxisFrame::b}) {
@@ -300,19 +302,17 @@ class ContactFollower {
       };
       take_k(bend * h * h / 8 * (1 + 0x1p-40));
       if (best.low >= -followed()) return;
-      if (are_followed(now_.s, there.s)) take_k(bend_by_supports(frame, now_.n, there.n, there));
+      if (are_followed(now_.s, there.s)) {
+        place(now_.t);
+        const Vec3<double> contact = closest_on_b(pair_, now_.near.simplex);
+        take_k(bend_of_supports(pair_, frame, now_.n, now_.t, there.n, there.t, contact, counters_));
+      }
       if (best.low >= -followed()) return;
     }
   }
   // No bound helps an axis along which an end is deeper.
   [[nodiscard]] bool are_followed(double s_0, double s_1) const {
     return std::min(s_0, s_1) >= -std::max(limits_.allowed, limits_.width);
-  }
-  double bend_by_supports(AxisFrame frame, const Vec3<double>& n_0, const Vec3<double>& n_1,
-                          const At& there) {
-    place(now_.t);
-    const Vec3<double> contact = closest_on_b(pair_, now_.near.simplex);
-    return bend_of_supports(pair_, frame, n_0, now_.t, n_1, there.t, contact, counters_);
   }
   // A solid of revolution that rolls reaches hardly farther in between (whole_turns.hpp). If the other body rotates, too,
   // its points bend.
@@ -340,17 +340,15 @@ class ContactFollower {
       if (stands_still(frame)) continue;
       place(stands);
       const Vec3<double> own = pair_.to_own(frame, n);
-      const auto along_at = [&](double t) {
+      const auto gap_at = [&](double t) {
         place(t);
-        return pair_.to_world(frame, own);
+        return pair_.gap(pair_.to_world(frame, own), counters_) - pair_.frame_error(frame);
       };
-      const Vec3<double> n_0 = along_at(now_.t);
-      const double s_0 = pair_.gap(n_0, counters_) - pair_.frame_error(frame);
-      const Vec3<double> n_1 = along_at(there.t);
-      const double s_1 = pair_.gap(n_1, counters_) - pair_.frame_error(frame);
+      const double s_0 = gap_at(now_.t), s_1 = gap_at(there.t);
       take(least_of(s_0, s_1, bends[i] * h * h / 8 * (1 + 0x1p-40)), best);
       if (best.low >= -followed()) return;
-      if (are_followed(s_0, s_1)) take(least_of(s_0, s_1, bend_by_supports(frame, n_0, n_1, there)), best);
+      if (are_followed(s_0, s_1))
+        take(least_of(s_0, s_1, bend_of_arc(pair_, frame, own, now_.t, there.t, counters_)), best);
       if (best.low >= -followed()) return;
     }
   }

@@ -112,7 +112,7 @@ struct Mobility {
     constexpr double u = kUnitRoundoff<double>;
     const double c_0 = dot(n, a_0), c_1 = dot(n, a_1), turned = fl(across(n) * tilt_rate),
                  bulge = turned * h * h / 8, middle = dot(n, w) / rate * (dot(a_0, w) / rate),
-                 half = turned / (rate * rate) + 64 * u * (turned / (rate * rate) + std::abs(middle));
+                 half = turned / (rate * rate) + fl(64 * u * (turned / (rate * rate) + std::abs(middle)));
     const double least = std::max(std::min(c_0, c_1) - bulge, middle - half) - 8 * u,
                  most = std::min(std::max(c_0, c_1) + bulge, middle + half) + 8 * u;
     return profile.reach(std::max(least, -1.0), std::min(most, 1.0));

@@ -17,19 +17,19 @@
 //
 // The bilateral search tries these candidates for t_1, in this order:
 //   0. After many slices, along the axis of now, with the most that a rotating body reaches (whole_turns.hpp). A wheel
-//      that rolls keeps its gap for long, although its points bend.
+//      that rolls keeps its gap for long, although its points bend. It must be much longer than the slice before.
 //   1. A little before the root of the distance itself, by the secant of its last two values, with the axis
 //      found there. Where a face rotates, an old axis covers part of the way only and the new one all of it.
 //   2. Along the old axis, to the extent that M allows or towards the first root of s, by the secant. It uses
 //      the frame in which points bend least, or another frame.
-//   3. Along an axis that moves, and after many slices with the bound of support_bend.hpp.
+//   3. Along an axis that moves, and after many slices by its arc (arc.hpp).
 //   4. As 2., with the cylinder that a body sweeps in a whole turn (whole_turns.hpp).
 // If no candidate can be proved, the slice is a conservative one. The root finders only propose times, so a root
 // finder that does not converge costs speed, not correctness.
 #pragma once
 
+#include <graze/detail/rotating/arc.hpp>
 #include <graze/detail/rotating/nearest.hpp>
-#include <graze/detail/rotating/support_bend.hpp>
 #include <graze/detail/rotating/whole_turns.hpp>
 #include <optional>
 
@@ -102,8 +102,8 @@ class SliceSearch {
     Slice out;
     const double rest = limits_.end - now.t, safe = conservative(now, out);
     if (limits_.advance == Advance::conservative || safe >= rest) return out;
-    hovered_ = keeps_its_gap(now, before) ? hovered_ + 1 : 0;
-    if (slices_ > kManySlices && hovered_ > 0 && by_reach(now, safe, out)) return out;
+    if (slices_ > kManySlices && keeps_its_gap(now, before) && by_reach(now, now.t - before->t, out))
+      return out;
     if (towards_contact(now, before, safe, out)) return out;
     // If a face rotates, an axis that rotates with it may prove much more than the steadiest one.
     const std::array<Frame, 3> all = frames(now.near.n);
@@ -116,7 +116,7 @@ class SliceSearch {
       along_axis(Along{now.t, own, now.near.gap - pair_.frame_error(frame.of), frame, {}}, longest, out);
     }
     by_two_axes(now, out);
-    if (slices_ > kManySlices && hovered_ > 2) by_supports(now, out);
+    by_arc(now, out);
     by_whole_turns(now, out);
     return out;
   }
@@ -323,32 +323,32 @@ class SliceSearch {
     }
   }
 
-  // A body that tips about its lowest point has distant points that bend, and yet keeps its distance. The proof format
-  // cannot express this bound.
-  void by_supports(const Seen& now, Slice& out) {
-    if (records_ || supports_.waits()) return;
+  // Used after many slices. A body that tips about its lowest point has distant points that bend, and yet keeps its
+  // distance. The proof format cannot express this bound.
+  void by_arc(const Seen& now, Slice& out) {
+    if (records_ || slices_ <= kManySlices || arcs_.waits()) return;
     const double rest = limits_.end - now.t;
-    place(now.t);
-    const Vec3<double> contact = closest_on_b(pair_, now.near.simplex);
-    constexpr int kTries = 4;
+    constexpr int kTries = 3;
     double h = rest;
     for (int i = 0; i < kTries && h > kWorthTrying * (out.end - now.t); ++i, h /= 8) {
       const double end = h >= rest ? limits_.end : not_after(now.t, h);
-      pair_.place(end);
-      const Nearest there = nearest(pair_, now.near.simplex, 0, limits_.stop, limits_.budget, counters_);
-      if (!(there.gap > 0)) continue;
       for (const AxisFrame frame : {AxisFrame::world, AxisFrame::a, AxisFrame::b}) {
-        const double error = pair_.frame_error(frame),
-                     k = bend_of_supports(pair_, frame, now.near.n, now.t, there.n, end, contact, counters_);
-        if (!proves(1, now.near.gap - error, there.gap - error, 2 * square_root(k))) continue;
+        place(now.t);
+        const Vec3<double> own = pair_.to_own(frame, now.near.n);
+        const double k = bend_of_arc(pair_, frame, own, now.t, end, counters_);
+        if (!(k < kInfinity<double>)) continue;
+        pair_.place(end);
+        const double error = pair_.frame_error(frame), s_0 = now.near.gap - error,
+                     s_1 = pair_.gap(pair_.to_world(frame, own), counters_) - error;
+        if (!proves(1, s_0, s_1, 2 * square_root(k))) continue;
         out = {};
         out.end = end;
-        out.there = there;
-        supports_.succeed();
+        out.expected = s_1;
+        arcs_.succeed();
         return;
       }
     }
-    supports_.fail();
+    arcs_.fail();
   }
 
   // The setting of a search along one axis: the gap at t, the frame in which the axis is held fixed, and the bodies
@@ -415,7 +415,7 @@ class SliceSearch {
   }
 
   static constexpr int kManySlices = 12;
-  // Is the gap about as large as a slice ago? If so for some slices, bounds for bodies that hover are tried.
+  // Is the gap about as large as a slice ago?
   [[nodiscard]] static bool keeps_its_gap(const Seen& now, const std::optional<Seen>& before) {
     return before && now.near.gap < 2 * before->near.gap && before->near.gap < 2 * now.near.gap;
   }
@@ -446,8 +446,8 @@ class SliceSearch {
     return {limits_.may_sweep.a && reaches(pair_.mobility_a()),
             limits_.may_sweep.b && reaches(pair_.mobility_b())};
   }
-  // For a wheel that rolls, or a ball that spins, along the axis that they have.
-  bool by_reach(const Seen& now, double safe, Slice& out) {
+  // For a wheel that rolls, or a ball that spins, along the axis that they have. `former`: the slice before.
+  bool by_reach(const Seen& now, double former, Slice& out) {
     const double rest = limits_.end - now.t;
     const WholeTurns whole = reaching(rest);
     if (!whole.any() || reaches_.waits()) return false;
@@ -455,7 +455,7 @@ class SliceSearch {
     const double root = still(whole, n).bend_root;
     double h = rest;
     constexpr int kTries = 4;
-    for (int i = 0; i < kTries && h > kWorthTrying * safe; ++i, h /= 16) {
+    for (int i = 0; i < kTries && h > kWorthTrying * former; ++i, h /= 16) {
       const double end = h >= rest ? limits_.end : not_after(now.t, h);
       const auto [first, last] = gaps_between(pair_, whole, n, now.t, end, counters_);
       if (!proves(end - now.t, first, last, root)) continue;
@@ -503,9 +503,9 @@ class SliceSearch {
   double speed_in_a_, speed_in_b_;
   Vec3<double> frames_of_ = Vec3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
   std::array<Frame, 3> frames_;
-  int slices_ = 0, hovered_ = 0;
-  double part_ = 1;                      // of the time until contact, which towards_contact() tries first
-  Patience supports_, turns_, reaches_;  // of by_supports(), by_whole_turns(), by_reach()
+  int slices_ = 0;
+  double part_ = 1;                  // of the time until contact, which towards_contact() tries first
+  Patience arcs_, turns_, reaches_;  // of by_arc(), by_whole_turns(), by_reach()
 };
 
 }}}  // namespace graze::GRAZE_LINKAGE::detail

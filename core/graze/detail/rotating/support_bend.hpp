@@ -94,7 +94,7 @@ inline double bend_of_supports(MovingPair& pair, AxisFrame frame, const Vec3<dou
     }
     return std::max(0.0, most - (reach(d_0) + reach(d_1)) / 2 + error);
   };
-  double bend = 2 * axis_rate * norm(v);
+  double bend = fl(2 * axis_rate * norm(v));
   if (!in_world) {
     const double turning = across(with);
     const double apart =
@@ -107,7 +107,8 @@ inline double bend_of_supports(MovingPair& pair, AxisFrame frame, const Vec3<dou
     return side.to_own(in_world || own.turns() ? own.w : other.w);
   };
   return beyond_chord(side_a, own_a, a_0, a_1, beta_a, alone(side_a, m_a, m_b)) +
-         beyond_chord(side_b, own_b, b_0, b_1, beta_b, alone(side_b, m_b, m_a)) + bend * h * h / 8 * raise;
+         beyond_chord(side_b, own_b, b_0, b_1, beta_b, alone(side_b, m_b, m_a)) +
+         fl(bend * h * h / 8 * raise);
 }
 
 }}}  // namespace graze::GRAZE_LINKAGE::detail
