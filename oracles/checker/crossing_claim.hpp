@@ -12,9 +12,9 @@
 // condition on n is that it is one vector all the time.
 //
 // The checker takes for n the normal of the triangle in the middle of the time, rounded, and shows the signs
-// of the W_k with balls that hold the c_k at all times of a piece. Of bodies on long arms that rotate almost as
-// one, these come from the points' relative velocity in its middle, and a bound of their accelerations: with
-// h half of the piece, c(t) is within h^2 / 2 (|w_A|^2 |x_A| + |w_B|^2 |x_B|) of c + (t - t_mid) c'.
+// of the W_k with balls that hold the c_k at all times of a piece. With h half of the piece, c(t) is within
+// h^2 / 2 (|w_A|^2 |x_A| + |w_B|^2 |x_B|) of c + (t - t_mid) c'. The velocity c' is small for bodies on long arms
+// that rotate almost as one, although each moves fast.
 //
 // For the oracles' own .cpp files (it includes Arb).
 #pragma once

@@ -129,8 +129,8 @@ TEST(BodyBounds, ABallByAnyNameSweepsTheSame) {
     const BallMotion motion(body, {Vec(0, 0, 7), Vec(-5, 0, 3)});
     EXPECT_EQ(motion.ball().mid_double(), 2);
     EXPECT_NEAR(motion.axis_reach().mid_double(), 5, 1e-30);
-    EXPECT_NEAR(SweptBody::of(motion)->reach(motion, BallVec(Vec(0, 1, 0)), 0, 0, 1).mid_double(), 7, 1e-30);
-    EXPECT_NEAR(SweptBody::of(motion)->reach(motion, BallVec(Vec(0, 0, 1)), 0, 0, 1).mid_double(), 2, 1e-30);
+    EXPECT_EQ(SweptBody::of(motion)->reach(motion, BallVec(Vec(0, 1, 0)), 0, 0, 1).mid_double(), 7);
+    EXPECT_EQ(SweptBody::of(motion)->reach(motion, BallVec(Vec(0, 0, 1)), 0, 0, 1).mid_double(), 2);
     // From the pivot, at (-5, 0, 3).
     EXPECT_NEAR(motion.pivot_reach().mid_double(), std::sqrt(34), 1e-15);
   }
